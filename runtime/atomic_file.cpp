@@ -56,10 +56,10 @@ class Draft {
     if (rename(name_.c_str(), path_.c_str()) != 0) fail(path_);
     is_named_ = true;
     const std::filesystem::path folder = path_.has_parent_path() ? path_.parent_path() : ".";
-    const int place = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (place < 0) return;  // a folder that may be written but not read
-    fsync(place);           // some file systems cannot
-    close(place);
+    const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) return;  // a folder that may be written but not read
+    fsync(descriptor);           // some file systems cannot
+    close(descriptor);
   }
 
  private:

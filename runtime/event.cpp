@@ -15,10 +15,10 @@ std::vector<DeclaredEvent>& events() {
 }  // namespace
 
 bool register_event(DeclaredEvent event) {
-  const auto place = std::ranges::lower_bound(events(), event.name, {}, &DeclaredEvent::name);
-  if (place != events().end() && place->name == event.name)
+  const auto found = std::ranges::lower_bound(events(), event.name, {}, &DeclaredEvent::name);
+  if (found != events().end() && found->name == event.name)
     throw std::logic_error("two events call themselves " + event.name);
-  events().insert(place, std::move(event));
+  events().insert(found, std::move(event));
   return true;
 }
 

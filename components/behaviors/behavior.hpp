@@ -32,7 +32,7 @@ struct BehaviorStep {
   BehaviorError error = BehaviorError::none;  ///< of a failure
   std::string text;                           ///< of a failure: one sentence
   std::optional<Twist2> command;  ///< zero at the end; nothing from a behavior that does not drive
-  double traveled = 0.0;          ///< [m] or [rad] towards the target; a turn has its sign
+  double traveled = 0.0;          ///< [m] or [rad] towards the target; a rotation has its sign
   Duration left;                  ///< of a wait
 };
 

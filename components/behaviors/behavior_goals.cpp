@@ -35,7 +35,7 @@ std::unique_ptr<Behavior> make_spin(const SpinGoal& goal, const BehaviorOptions&
   // Nav2 has no INVALID_INPUT for spin.
   if (!std::isfinite(goal.target_yaw))
     return std::make_unique<Refused>(BehaviorError::unknown, "target_yaw is not finite");
-  const TravelGoal travel{.axis = TravelAxis::turn,
+  const TravelGoal travel{.axis = TravelAxis::rotation,
                           .target = goal.target_yaw,
                           .top_rate = options.max_rotational_vel,
                           .time_allowance = goal.time_allowance,

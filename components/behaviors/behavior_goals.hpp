@@ -10,7 +10,7 @@
 
 namespace bw {
 
-/// Counter-clockwise by target_yaw [rad], which may be several turns.
+/// Counter-clockwise by target_yaw [rad], which may be several revolutions.
 struct SpinGoal {
   double target_yaw = 0.0;
   Duration time_allowance;  ///< 0 or less: none

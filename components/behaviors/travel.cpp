@@ -8,7 +8,7 @@
 #include "components/behaviors/look_ahead.hpp"
 #include "components/local_planner/problem_check.hpp"
 #include "components/model/differential_drive.hpp"
-#include "components/safety/free_way.hpp"
+#include "components/safety/free_distance.hpp"
 
 namespace bw {
 namespace {
@@ -38,7 +38,7 @@ BehaviorStep Travel::step(const BehaviorSituation& situation) {
   const Duration age = age_.at(problem.now);
   const auto end = [&](BehaviorError error, std::string text) {
     BehaviorStep step = failed(error, std::move(text));
-    step.traveled = traveled_ * (goal_.axis == TravelAxis::turn ? sign_ : 1.0);
+    step.traveled = traveled_ * (goal_.axis == TravelAxis::rotation ? sign_ : 1.0);
     return stopped(step);
   };
   if (!situation.missing.empty()) return end(BehaviorError::tf_error, situation.missing);
@@ -52,7 +52,7 @@ BehaviorStep Travel::step(const BehaviorSituation& situation) {
     return end(BehaviorError::timeout,
                with("the time allowance was over before the target was reached", base));
   if (is_stuck(age, problem.pose)) return end(BehaviorError::unknown, with("the robot does not move", base));
-  BehaviorStep step{.traveled = traveled_ * (goal_.axis == TravelAxis::turn ? sign_ : 1.0)};
+  BehaviorStep step{.traveled = traveled_ * (goal_.axis == TravelAxis::rotation ? sign_ : 1.0)};
   const bool standing = is_at_rest(problem.twist);
   if (!X_OS_ && !standing) return stopped(step);
   if (!X_OS_) X_OS_ = X_OB_before_ = problem.pose;
@@ -70,7 +70,7 @@ BehaviorStep Travel::step(const BehaviorSituation& situation) {
 
 void Travel::measure(const Pose2& X_OB) {
   if (!X_OS_) return;
-  if (goal_.axis == TravelAxis::turn) {
+  if (goal_.axis == TravelAxis::rotation) {
     traveled_ += sign_ * wrap_angle(X_OB.theta - X_OB_before_.theta);
   } else {
     traveled_ = sign_ * (inverse(*X_OS_) * X_OB.position()).x();
@@ -88,20 +88,20 @@ bool Travel::is_stuck(Duration age, const Pose2& X_OB) {
   return goal_.time_allowance <= Duration{} && age - *moved_ > Duration::seconds(kPatience);
 }
 
-// Of a short way the middle is driven at one rate for as long as the jerk limit needs to turn acceleration
-// into braking.
+// Of a short distance the middle is driven at one rate for as long as the jerk limit needs to turn
+// acceleration into braking.
 double Travel::top_rate(const Limits& limits) const {
-  if (goal_.axis == TravelAxis::turn) return std::min(goal_.top_rate, limits.omega_max);
+  if (goal_.axis == TravelAxis::rotation) return std::min(goal_.top_rate, limits.omega_max);
   const double turnover = 2.0 * acceleration(limits) / limits.jerk_max;
-  const double of_way = safety::speed_within(
+  const double for_distance = safety::speed_within(
       std::abs(goal_.target),
       {.reaction_time = options_.command_lead + turnover, .deceleration = acceleration(limits) / 2.0});
-  return std::min({goal_.top_rate, sign_ > 0.0 ? limits.v_max : limits.v_back_max, of_way});
+  return std::min({goal_.top_rate, sign_ > 0.0 ? limits.v_max : limits.v_back_max, for_distance});
 }
 
 double Travel::acceleration(const Limits& limits) const {
-  return goal_.axis == TravelAxis::turn ? std::min(options_.rotational_acc_lim, limits.alpha_max)
-                                        : limits.acc_max;
+  return goal_.axis == TravelAxis::rotation ? std::min(options_.rotational_acc_lim, limits.alpha_max)
+                                            : limits.acc_max;
 }
 
 double Travel::next_rate(double left, double rate, const PlanningProblem& problem) const {
@@ -109,9 +109,9 @@ double Travel::next_rate(double left, double rate, const PlanningProblem& proble
   const double acceleration_limit = acceleration(problem.limits);
   const double step = acceleration_limit * problem.control_period;
   const double top = top_rate(problem.limits);
-  const double slowest = goal_.axis == TravelAxis::turn ? options_.min_rotational_vel : kSlowest;
+  const double slowest = goal_.axis == TravelAxis::rotation ? options_.min_rotational_vel : kSlowest;
   const double onset =
-      goal_.axis == TravelAxis::turn ? 0.0 : acceleration_limit / (2.0 * problem.limits.jerk_max);
+      goal_.axis == TravelAxis::rotation ? 0.0 : acceleration_limit / (2.0 * problem.limits.jerk_max);
   const double braking = safety::speed_within(
       left, {.reaction_time = options_.command_lead + onset, .deceleration = acceleration_limit});
   const double wanted = std::max(braking, std::min(slowest, left / problem.control_period));
@@ -119,13 +119,13 @@ double Travel::next_rate(double left, double rate, const PlanningProblem& proble
 }
 
 Twist2 Travel::along(double rate) const {
-  return goal_.axis == TravelAxis::turn ? Twist2{0.0, sign_ * rate} : Twist2{sign_ * rate, 0.0};
+  return goal_.axis == TravelAxis::rotation ? Twist2{0.0, sign_ * rate} : Twist2{sign_ * rate, 0.0};
 }
 
 bool Travel::is_blocked(const PlanningProblem& problem) const {
   const double period = problem.control_period;
   const double rate_now =
-      std::max(0.0, sign_ * (goal_.axis == TravelAxis::turn ? problem.twist.omega : problem.twist.v));
+      std::max(0.0, sign_ * (goal_.axis == TravelAxis::rotation ? problem.twist.omega : problem.twist.v));
   const double braking = acceleration(problem.limits) * period;
   const double to_rest = rate_now / acceleration(problem.limits) + options_.command_lead + period;
   const double horizon = std::max(options_.simulate_ahead_time, to_rest);

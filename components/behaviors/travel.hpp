@@ -1,9 +1,9 @@
 // The one motion that spin, drive_on_heading and backup are: from rest, along one axis, to rest on the
 // target.
 //
-//   rest      whatever the robot still does when the goal comes is braked first; the way counts from there
-//   rate      the largest from which the way that is left is enough, with the command held for `command_lead` and then braked
-//             (safety::speed_within), reached within the acceleration
+//   rest      whatever the robot still does when the goal comes is braked first; distance counts from there
+//   rate      the largest from which the distance that is left is enough, with the command held for
+//             `command_lead` and then braked (safety::speed_within), reached within the acceleration
 //   ahead     the motion to come is simulated with that same rule, and must be free (look_ahead.hpp)
 //   arrival   within a tolerance and at rest. What has passed its target stops; nothing turns back
 #pragma once
@@ -15,7 +15,7 @@
 
 namespace bw {
 
-enum class TravelAxis { turn, straight };
+enum class TravelAxis { rotation, straight };
 
 struct TravelGoal {
   TravelAxis axis = TravelAxis::straight;

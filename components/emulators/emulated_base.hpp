@@ -1,6 +1,6 @@
 // The firmware of a base and its board, emulated byte by byte from its protocol; it shares no code with our
 // drivers. The world behind it is the simulated one: who hosts it gives it the true wheels and body, and
-// turns the wheels as its motors say. Values in, result out: no clock, no file, no middleware.
+// rotates the wheels as its motors say. Values in, result out: no clock, no file, no middleware.
 #pragma once
 
 #include <cstdint>
@@ -46,7 +46,7 @@ class EmulatedBase {
   /// Up to `now`, in steps of at most 10 ms: what it sends; valid until the next call. Also when no cable is
   /// plugged in: it goes on.
   virtual std::span<const std::uint8_t> step(Time now, const Body& body) = 0;
-  /// What its controller makes the wheels turn at: speeds of their rims [m/s], were they of `wheel_radius`.
+  /// What its controller makes the wheels rotate at: speeds of their rims [m/s], were they of `wheel_radius`.
   virtual WheelSpeeds motors() const = 0;
   /// Of the wheels that it computes with, whatever the robot has [m].
   virtual double wheel_radius() const = 0;

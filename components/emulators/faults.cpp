@@ -25,7 +25,7 @@ Body seen_with(Body body, const Faults& faults) {
   return body;
 }
 
-WheelSpeeds turned_with(WheelSpeeds motors, const Faults& faults) {
+WheelSpeeds with_faults(WheelSpeeds motors, const Faults& faults) {
   if (faults.runaway_left != 0.0) motors.left = faults.runaway_left;
   if (faults.runaway_right != 0.0) motors.right = faults.runaway_right;
   if (faults.stalled_left) motors.left = 0.0;

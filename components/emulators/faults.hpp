@@ -77,7 +77,7 @@ inline Faults acting(const Faults& faults, double since_start) {
 
 /// The body as the board sees it.
 Body seen_with(Body body, const Faults& faults);
-/// The wheels as they turn.
-WheelSpeeds turned_with(WheelSpeeds motors, const Faults& faults);
+/// The speeds at which the wheels rotate.
+WheelSpeeds with_faults(WheelSpeeds motors, const Faults& faults);
 
 }  // namespace bw::emulators

@@ -17,7 +17,7 @@ struct Comfort {
   double collision_index = 0.0;                 ///< theory.md 7.7, of the sigma that judges
 };
 
-/// Nothing for a sample with a place that is not finite.
+/// Nothing for a sample with a position that is not finite.
 std::optional<Comfort> comfort_of(const TruthSample& sample, const Footprint& robot);
 
 }  // namespace bw

@@ -11,7 +11,7 @@ void ContactDiary::add(double time, const TruthSample& sample, const Footprint& 
   if (!began_) began_ = time;
   note_leaving(time, sample);
   Twist2 twist = sample.twist;
-  if (!std::isfinite(twist.v)) {  // a truth without speed: from place to place
+  if (!std::isfinite(twist.v)) {  // a truth without speed: from position to position
     const double dt = last_ ? time - last_->time : 1.0;
     twist.v = last_ ? (sample.X_MB.position() - last_->pose.position()).norm() / dt : 0.0;
   }

@@ -44,7 +44,7 @@ class DriveJudge {
   }
   void on_truth(const TruthSample& sample);
   /// Nobody knows where the robot is until the next sample.
-  void lose_place() { keeper_.lose_place(); }
+  void lose_pose() { keeper_.lose_pose(); }
   /// The robot's outline from now on.
   void on_footprint(const Footprint& footprint) {
     keeper_.set_footprint(footprint);

@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t kMaxJudged = 20;
 constexpr std::int8_t kOccupiedFrom = 65;  // [%] as the map server's usual threshold
 
-/// Ways of all people: one for each stretch without a gap.
+/// Paths of all people: one for each stretch without a gap.
 std::vector<possible::Walk> walks_of(const std::vector<RecordedMoment>& moments) {
   std::map<std::uint32_t, possible::Walk> open;
   std::vector<possible::Walk> walks;
@@ -23,7 +23,7 @@ std::vector<possible::Walk> walks_of(const std::vector<RecordedMoment>& moments)
     for (const TruePerson& person : moment.people) {
       possible::Walk& walk = open[person.id];
       walk.radius = person.radius;
-      walk.places.push_back({moment.time, person.position});
+      walk.positions.push_back({moment.time, person.position});
     }
   }
   for (auto& [id, walk] : open) walks.push_back(std::move(walk));

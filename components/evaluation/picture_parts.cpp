@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "components/model/footprint_outline.hpp"
-#include "components/model/footprint_way.hpp"
+#include "components/model/footprint_touch.hpp"
 
 namespace bw::drawing {
 namespace {
@@ -40,9 +40,9 @@ std::string label_style(std::string_view color, int size, std::string_view ancho
 }
 
 std::string speed_color(double share) {
-  const double place = std::clamp(share, 0.0, 1.0) * (kSpeedColors.size() - 1);
-  const std::size_t low = std::min<std::size_t>(static_cast<std::size_t>(place), kSpeedColors.size() - 2);
-  const double t = place - static_cast<double>(low);
+  const double level = std::clamp(share, 0.0, 1.0) * (kSpeedColors.size() - 1);
+  const std::size_t low = std::min<std::size_t>(static_cast<std::size_t>(level), kSpeedColors.size() - 2);
+  const double t = level - static_cast<double>(low);
   std::string text = "rgb(";
   for (std::size_t i = 0; i < 3; ++i) {
     text += fixed(kSpeedColors[low][i] * (1.0 - t) + kSpeedColors[low + 1][i] * t, 0) + (i < 2 ? "," : ")");
@@ -50,7 +50,7 @@ std::string speed_color(double share) {
   return text;
 }
 
-void draw_place(SvgWriter& svg, const RunRecording& recording, const PictureView& view) {
+void draw_surroundings(SvgWriter& svg, const RunRecording& recording, const PictureView& view) {
   svg.rectangle(view.corner, view.width(), view.height(), fill(recording.map ? "#e4e8ed" : "#fbfcfd"));
   if (recording.map) {
     svg.path(cells_path(*recording.map, view, 0, 64),
@@ -80,7 +80,7 @@ void draw_footprint(SvgWriter& svg, const PictureView& view, const Footprint& ro
 
 double front_of(const Footprint& robot) {
   if (!robot.is_polygon()) return robot.radius;
-  return -first_touch({1.0, 0.0}, robot.polygon, {2.0 * robot.radius, 0.0}).way + 2.0 * robot.radius;
+  return -first_touch({1.0, 0.0}, robot.polygon, {2.0 * robot.radius, 0.0}).distance + 2.0 * robot.radius;
 }
 
 void draw_scale_bar(SvgWriter& svg, const PictureView& view, const Vector2& left) {

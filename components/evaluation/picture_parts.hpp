@@ -1,4 +1,4 @@
-// What pictures of drives have in common: colours, styles, the place, bodies, the scale.
+// What pictures of drives have in common: colours, styles, the map, bodies, the scale.
 #pragma once
 
 #include <initializer_list>
@@ -27,7 +27,7 @@ std::string label_style(std::string_view color, int size, std::string_view ancho
 std::string speed_color(double share);
 
 /// Floor, walls and pillars.
-void draw_place(SvgWriter& svg, const RunRecording& recording, const PictureView& view);
+void draw_surroundings(SvgWriter& svg, const RunRecording& recording, const PictureView& view);
 
 /// The robot's outline, or its disc where it has none or the heading is not known.
 void draw_footprint(SvgWriter& svg, const PictureView& view, const Footprint& robot, const Pose2& X_MB,

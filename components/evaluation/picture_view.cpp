@@ -11,7 +11,7 @@ namespace bw {
 namespace {
 
 constexpr double kRoom = 2.0;          // about the drive [m]
-constexpr double kRim = 0.25;          // beyond the border of the place [m]
+constexpr double kRim = 0.25;          // beyond the border of the map [m]
 constexpr double kFlattest = 1 / 3.0;  // height over width
 constexpr double kSteepest = 1.0;
 
@@ -33,7 +33,7 @@ void shift_inside(Eigen::AlignedBox2d& box, int axis, const Eigen::AlignedBox2d&
   box.max()[axis] = low + size;
 }
 
-/// Where the place ends, as far as it is known; empty: nothing is.
+/// Where the map ends, as far as it is known; empty: nothing is.
 Eigen::AlignedBox2d border_of(const RunRecording& recording) {
   Eigen::AlignedBox2d border;
   if (recording.map) {

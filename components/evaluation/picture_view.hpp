@@ -1,4 +1,4 @@
-// Which part of the map the picture shows, and where a place in it lands on the page.
+// Which part of the map the picture shows, and where a position in it lands on the page.
 #pragma once
 
 #include <string>
@@ -23,7 +23,7 @@ struct PictureView {
   }
 };
 
-/// The drive with room about it, cut at the border of the place, `width` pixels wide and at most as high as
+/// The drive with room about it, cut at the border of the map, `width` pixels wide and at most as high as
 /// wide.
 PictureView view_of(const RunRecording& recording, double width, const Vector2& corner);
 

@@ -13,7 +13,7 @@ constexpr std::int64_t kWall = -1;
 constexpr double kMovingSpeed = 0.1;  // a contact slower than this is the other's doing [m/s]
 constexpr double kSigmaNarrow = 0.45;
 constexpr const char* kFalseClaim = "the robot claims the goal but is not there";
-constexpr const char* kUnknownPlace = "the robot claims the goal, and nothing tells where it was then";
+constexpr const char* kUnknownPose = "the robot claims the goal, and nothing tells where it was then";
 constexpr const char* kMissedLeg = "an earlier goal was not reached";
 constexpr const char* kUnknownLeg = "the robot claims an earlier goal, and nothing tells where it was then";
 
@@ -61,7 +61,7 @@ void ScoreKeeper::add(const TruthSample& sample) {
   card_.mean_speed = elapsed > 0.0 ? card_.path_length / elapsed : 0.0;
   card_.distance_to_goal = (goal_ - sample.X_MB.position()).norm();
   last_ = sample;
-  knows_place_ = true;
+  knows_pose_ = true;
 }
 
 void ScoreKeeper::count_contacts(const TruthSample& sample) {
@@ -107,7 +107,7 @@ void ScoreKeeper::touch(std::int64_t key, double gap, bool fast) {
 
 std::optional<bool> ScoreKeeper::is_there(bool claimed) const {
   if (!claimed) return false;
-  if (!knows_place_) return std::nullopt;
+  if (!knows_pose_) return std::nullopt;
   return card_.distance_to_goal <=
          (options_.goal_tolerance > 0.0 ? options_.goal_tolerance : judged_xy(tolerance_));
 }
@@ -127,8 +127,8 @@ void ScoreKeeper::settle(bool claimed, const std::string& reason) {
   if (there == false && claimed) card_.reason = kFalseClaim;
   if (there == true && has_unknown_leg_) card_.reason = kUnknownLeg;
   if (there == true && missed_a_leg_) card_.reason = kMissedLeg;
-  if (!there && !is_missed) card_.reason = kUnknownPlace;
-  if (!knows_place_) card_.distance_to_goal = std::numeric_limits<double>::quiet_NaN();
+  if (!there && !is_missed) card_.reason = kUnknownPose;
+  if (!knows_pose_) card_.distance_to_goal = std::numeric_limits<double>::quiet_NaN();
 }
 
 void ScoreKeeper::close() {

@@ -81,14 +81,14 @@ class ScoreKeeper {
   void end_goal(bool claimed, const std::string& reason) { settle(claimed, reason); }
   /// Ends the card with the outcome that stands on it.
   void close();
-  /// Counts while a drive lasts. Samples that are not newer, or whose places are not finite, are ignored;
+  /// Counts while a drive lasts. Samples that are not newer, or whose positions are not finite, are ignored;
   /// without a speed (NaN) there is no jerk.
   void add(const TruthSample& sample);
   /// `claimed`: the robot says that it stands at the goal.
   void finish(Time now, bool claimed, const std::string& reason);
 
   /// The truth of the last sample holds no more, and until the next one nobody knows where the robot is.
-  void lose_place() { knows_place_ = false; }
+  void lose_pose() { knows_pose_ = false; }
 
   /// The robot's outline from now on.
   void set_footprint(const Footprint& footprint) { footprint_ = footprint; }
@@ -114,7 +114,7 @@ class ScoreKeeper {
   bool running_ = false;
   bool missed_a_leg_ = false;
   bool has_unknown_leg_ = false;
-  bool knows_place_ = false;
+  bool knows_pose_ = false;
   ScoreCard card_;
   Vector2 goal_{0.0, 0.0};
   GoalTolerance tolerance_;

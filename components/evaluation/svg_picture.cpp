@@ -28,7 +28,7 @@ void draw_people_paths(SvgWriter& svg, const RunRecording& recording, const Scor
                        const PictureView& view) {
   constexpr double kLongestHop = 2.5;  // farther between two looks: another stay [m]
   std::map<std::uint32_t, std::vector<std::vector<Vector2>>> stays;
-  std::map<std::uint32_t, std::pair<std::size_t, Vector2>> last;  // moment and place
+  std::map<std::uint32_t, std::pair<std::size_t, Vector2>> last;  // moment and position
   for (std::size_t i = 0; i < recording.moments.size(); ++i) {
     for (const TruePerson& person : recording.moments[i].people) {
       const auto before = last.find(person.id);
@@ -225,7 +225,7 @@ std::string svg_picture(const RunRecording& recording, const ScoreCard& card, co
   svg.rectangle(view.corner, view.width(), view.height(), "rx=\"6\"");
   svg.close("</clipPath>");
   svg.open("<g clip-path=\"url(#view)\">");
-  draw_place(svg, recording, view);
+  draw_surroundings(svg, recording, view);
   draw_people_paths(svg, recording, card, view);
   draw_robot_path(svg, recording, view);
   draw_bodies(svg, recording, view, options);

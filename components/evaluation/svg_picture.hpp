@@ -1,5 +1,5 @@
-// A picture of the run as one self-contained SVG: the place, the robot's way coloured by speed, the people's
-// ways, where everybody was every two seconds, and the closest encounter.
+// A picture of the run as one self-contained SVG: the map, the robot's path coloured by speed, the people's
+// paths, where everybody was every two seconds, and the closest encounter.
 #pragma once
 
 #include <string>

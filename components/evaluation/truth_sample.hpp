@@ -32,7 +32,7 @@ struct TruthSample {
   std::uint32_t contacts = 0;                   ///< counted by the world since its start
 };
 
-/// Whether the places of everybody can be reckoned with.
+/// Whether the positions of everybody can be reckoned with.
 inline bool is_sound(const TruthSample& sample) {
   return sample.X_MB.position().allFinite() && !std::isnan(sample.wall_gap) &&
          std::all_of(sample.people.begin(), sample.people.end(), [](const TruePerson& person) {

@@ -28,7 +28,7 @@ struct Closing {
 };
 
 /// Pose and twist of the robot, centre and velocity of the person, in one frame. A robot that drives backward
-/// travels where its back points. Centres in one place: the person is straight ahead.
+/// travels where its back points. Centres in one position: the person is straight ahead.
 Closing who_hit_whom(const Pose2& robot, const Twist2& twist, const Vector2& person, const Vector2& velocity);
 
 /// "robot_closing", as in JSON.

@@ -37,7 +37,7 @@ constexpr auto choice_table(ImageFormat) {
 /// The file below `folder` that a request names: relative to it, or absolute and within it; `.yaml` is added
 /// where it is missing. Throws std::runtime_error: a folder or subfolder that is not there, a way out of it
 /// (`..`, another absolute path, a link to elsewhere).
-std::filesystem::path place_of_map(const std::filesystem::path& folder, const std::filesystem::path& asked);
+std::filesystem::path path_of_map(const std::filesystem::path& folder, const std::filesystem::path& asked);
 
 enum class Existing { refuse, replace };
 

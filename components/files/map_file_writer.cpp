@@ -85,7 +85,7 @@ std::string yaml_of(const OccupancyGrid& grid, const MapShades& shades, const st
 
 }  // namespace
 
-std::filesystem::path place_of_map(const std::filesystem::path& folder, const std::filesystem::path& asked) {
+std::filesystem::path path_of_map(const std::filesystem::path& folder, const std::filesystem::path& asked) {
   namespace fs = std::filesystem;
   const auto refuse = [&](const std::string& why) {
     throw std::runtime_error("'" + asked.string() + "': maps are saved below " + folder.string() + ": " +

@@ -49,8 +49,8 @@ void trace_back(const SearchGrid& grid, GridCell start, GridCell goal, std::uint
     path.cells.push_back(at);
     path.cost_so_far.push_back(cell.g);
     if (at == start) break;
-    for (unsigned turn = 0; turn < 8; ++turn) {
-      const unsigned d = (heading + turn) % 8;
+    for (unsigned heading_change = 0; heading_change < 8; ++heading_change) {
+      const unsigned d = (heading + heading_change) % 8;
       if ((cell.moves >> d & 1u) == 0) continue;
       const GridCell before{static_cast<std::uint16_t>(at.x + kSteps[d].dx),
                             static_cast<std::uint16_t>(at.y + kSteps[d].dy)};

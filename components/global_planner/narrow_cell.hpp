@@ -17,7 +17,7 @@ inline constexpr double kHeadingStep = 2.0 * std::numbers::pi / kHeadings;
 inline constexpr std::uint64_t kAllHeadings = ~std::uint64_t{0};
 
 struct NarrowCell {
-  Vector2 place{0.0, 0.0};                ///< of the cell, that farthest from obstacles [m]
+  Vector2 position{0.0, 0.0};             ///< of the cell, that farthest from obstacles [m]
   double clearance = 0.0;                 ///< there [m]
   std::uint64_t headings = kAllHeadings;  ///< in which the footprint is free there
 };
@@ -28,10 +28,10 @@ double clearance_of(const Vector2& point, const std::vector<Capsule>& obstacles)
 /// Of a square cell of edge `edge` [m] around `center`, by a search whose steps halve: below the best by a
 /// tenth of the edge where clearance has several peaks in the cell. `near` are the obstacles that may matter.
 /// `headings` is not looked at.
-NarrowCell best_place(const Vector2& center, double edge, const std::vector<Capsule>& near);
+NarrowCell best_position(const Vector2& center, double edge, const std::vector<Capsule>& near);
 
-/// Headings in which the footprint is free at `place`.
-std::uint64_t free_headings(const Footprint& footprint, const Vector2& place,
+/// Headings in which the footprint is free at `position`.
+std::uint64_t free_headings(const Footprint& footprint, const Vector2& position,
                             const std::vector<Capsule>& near);
 
 /// The headings within an eighth of a turn, half to either side, of a direction [rad] or of its opposite.

@@ -83,7 +83,7 @@ std::vector<Vector2> shorten(const SearchGrid& grid, const GridPath& path, const
   const std::size_t last = path.cells.size() - 1;
   const auto point = [&](std::size_t i) -> Vector2 {
     if (i == 0) return start;
-    return i == last ? goal : grid.place(path.cells[i].x, path.cells[i].y);
+    return i == last ? goal : grid.position(path.cells[i].x, path.cells[i].y);
   };
   const auto may_skip = [&](std::size_t from, std::size_t to) {
     const LineOfSight line = line_of_sight(grid, point(from), point(to));

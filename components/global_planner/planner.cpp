@@ -171,7 +171,7 @@ PathResult Planner::plan_legs(const Pose2& start, const std::vector<Pose2>& stop
               .path = {},
               .expanded = whole.expanded};
     }
-    // One pose alone is a turn where the path before ended.
+    // One pose alone is a rotation where the path before ended.
     if (leg.path.size() == 1) whole.path.back() = leg.path.back();
     whole.path.insert(whole.path.end(), leg.path.begin() + 1, leg.path.end());
     whole.length += leg.length;
@@ -227,9 +227,9 @@ PathResult Planner::plan_unblocked(const Pose2& start, const Pose2& goal, bool h
   }
 
   const bool start_moved = *from != to_cell(grid_.cell_of(start.position()));
-  const Vector2 first = start_moved ? grid_.place(from->x, from->y) : start.position();
+  const Vector2 first = start_moved ? grid_.position(from->x, from->y) : start.position();
   const bool is_kept = *to == asked && (grid_.narrow(to->x, to->y) == nullptr || grid_.fits(goal));
-  const Vector2 last = is_kept ? goal.position() : grid_.place(to->x, to->y);
+  const Vector2 last = is_kept ? goal.position() : grid_.position(to->x, to->y);
   std::vector<Vector2> corners = shorten(grid_, cells, first, last);
   if (cells.cells.size() == 1) corners.push_back(last);
   if (start_moved) corners.insert(corners.begin(), start.position());

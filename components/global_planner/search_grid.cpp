@@ -10,9 +10,9 @@
 namespace bw {
 namespace {
 
-constexpr double kTouch = 1e-3;  // [m] that a footprint may reach into an obstacle: places are a grid's
+constexpr double kTouch = 1e-3;  // [m] that a footprint may reach into an obstacle: positions are a grid's
 constexpr double kTight =
-    1e-2;  // [m] above the inscribed radius, below which the way between two places is looked at
+    1e-2;  // [m] above the inscribed radius, below which the path between two positions is looked at
 
 bool is_finite(const Capsule& c) { return c.a.allFinite() && c.b.allFinite() && std::isfinite(c.radius); }
 
@@ -130,7 +130,7 @@ void SearchGrid::find(const Vector2& point, double reach, std::vector<Capsule>& 
   });
 }
 
-// Cells whose middle is far enough are free; of those where the footprint may just fit, place and headings
+// Cells whose middle is far enough are free; of those where the footprint may just fit, position and headings
 // are looked at.
 void SearchGrid::price(const GlobalPlannerOptions& options) {
   const double to_corner = resolution_ * std::numbers::sqrt2 / 2.0;
@@ -143,7 +143,7 @@ void SearchGrid::price(const GlobalPlannerOptions& options) {
       clearance_[i] = std::max(clearance_[i], 0.0F);
       if (clearance < 0.0 || clearance + to_corner < inscribed_) continue;
       if (clearance < (is_polygon ? footprint_.radius : inscribed_)) {
-        NarrowCell cell{.place = center(x, y), .clearance = clearance};
+        NarrowCell cell{.position = center(x, y), .clearance = clearance};
         if (!look_closely(x, y, cell)) continue;
         if (narrow_.empty()) narrow_.assign(cells_.size(), 0);
         narrow_cells_.push_back(cell);
@@ -160,12 +160,12 @@ void SearchGrid::price(const GlobalPlannerOptions& options) {
 bool SearchGrid::look_closely(int x, int y, NarrowCell& cell) const {
   std::vector<Capsule> near;
   const double to_corner = resolution_ * std::numbers::sqrt2 / 2.0;
-  // From a place in the cell: the nearest of all, and those that the footprint may touch.
-  find(cell.place, std::max(cell.clearance + to_corner, footprint_.radius) + to_corner, near);
-  // Elsewhere in the cell a place may be better by no more than the way there.
-  if (cell.clearance < inscribed_ + to_corner) cell = best_place(center(x, y), resolution_, near);
+  // From a position in the cell: the nearest of all, and those that the footprint may touch.
+  find(cell.position, std::max(cell.clearance + to_corner, footprint_.radius) + to_corner, near);
+  // Elsewhere in the cell a position may be better by no more than the distance there.
+  if (cell.clearance < inscribed_ + to_corner) cell = best_position(center(x, y), resolution_, near);
   if (cell.clearance < inscribed_) return false;
-  if (footprint_.is_polygon()) cell.headings = free_headings(footprint_, cell.place, near);
+  if (footprint_.is_polygon()) cell.headings = free_headings(footprint_, cell.position, near);
   return cell.headings != 0;
 }
 
@@ -176,9 +176,9 @@ bool SearchGrid::fits(const Pose2& pose) const {
       near, [&](const Capsule& obstacle) { return gap_to(footprint_, pose, obstacle, 0.0) >= -kTouch; });
 }
 
-bool SearchGrid::holds(const Vector2& place) const {
+bool SearchGrid::holds(const Vector2& position) const {
   std::vector<Capsule> near;
-  find(place, inscribed_ - kTouch, near);
+  find(position, inscribed_ - kTouch, near);
   return near.empty();
 }
 
@@ -189,17 +189,17 @@ bool SearchGrid::may_step(int x, int y, const GridStep& s) const {
   // A diagonal step also needs both cells beside it: no cutting of corners.
   const bool is_straight = free(x + s.dx, y) && free(x, y + s.dy);
   if (from == nullptr && to == nullptr) return is_straight;
-  const Vector2 a = place(x, y);
-  const Vector2 way = place(x + s.dx, y + s.dy) - a;
+  const Vector2 a = position(x, y);
+  const Vector2 offset = position(x + s.dx, y + s.dy) - a;
   const std::uint64_t common =
       (from == nullptr ? kAllHeadings : from->headings) & (to == nullptr ? kAllHeadings : to->headings);
-  if ((common & headings_along(std::atan2(way.y(), way.x()))) == 0) return false;
-  // Between two places that just fit an obstacle may reach further in.
+  if ((common & headings_along(std::atan2(offset.y(), offset.x()))) == 0) return false;
+  // Between two positions that just fit an obstacle may reach further in.
   const auto is_tight = [this](const NarrowCell* cell) {
     return cell != nullptr && cell->clearance < inscribed_ + kTight;
   };
   if (is_straight && !is_tight(from) && !is_tight(to)) return true;
-  return holds(a + way / 2.0);
+  return holds(a + offset / 2.0);
 }
 
 void SearchGrid::set_moves(int x, int y) {

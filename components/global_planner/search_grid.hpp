@@ -48,9 +48,9 @@ class SearchGrid {
   static constexpr int kMaxSide = 65'000;  ///< coordinates fit 16 bits
 
   /// Obstacles are the map's cells, half a cell around their middles and what joins neighbours, and `shapes`
-  /// (in map, exact). Clearance is the distance from a place to the nearest of them. A cell is free where the
-  /// footprint is, at the place of the cell with the most clearance and in some heading: everywhere from the
-  /// footprint's outer radius on, nowhere below its inscribed one. It costs (theory.md 7.4)
+  /// (in map, exact). Clearance is the distance from a position to the nearest of them. A cell is free where
+  /// the footprint is, at the position of the cell with the most clearance and in some heading: everywhere
+  /// from the footprint's outer radius on, nowhere below its inscribed one. It costs (theory.md 7.4)
   ///
   ///   1 + weight ((range - clearance) / (range - inscribed radius))^2   below the range, else 1
   ///
@@ -72,11 +72,11 @@ class SearchGrid {
   std::pair<int, int> cell_of(const Vector2& p) const;
   Vector2 center(int x, int y) const { return origin_ + Vector2{x - 0.5, y - 0.5} * resolution_; }
   /// Where in the cell the robot is to be: the middle, but in narrow cells.
-  Vector2 place(int x, int y) const {
+  Vector2 position(int x, int y) const {
     const NarrowCell* cell = narrow(x, y);
-    return cell == nullptr ? center(x, y) : cell->place;
+    return cell == nullptr ? center(x, y) : cell->position;
   }
-  /// What is known of a cell in which place or heading matters; nullptr for all others.
+  /// What is known of a cell in which position or heading matters; nullptr for all others.
   const NarrowCell* narrow(int x, int y) const {
     const std::uint32_t i = narrow_.empty() ? 0 : narrow_[index(x, y)];
     return i == 0 ? nullptr : &narrow_cells_[i - 1];
@@ -84,7 +84,7 @@ class SearchGrid {
   /// Whether the footprint is free, to a millimetre.
   bool fits(const Pose2& pose) const;
   /// The same for the disc that the footprint holds.
-  bool holds(const Vector2& place) const;
+  bool holds(const Vector2& position) const;
   Vector2 to_cells(const Vector2& p) const { return (p - origin_) / resolution_ + Vector2{1.0, 1.0}; }
   bool free(int x, int y) const { return cells_[index(x, y)].cost != 0; }
   /// Distance [m] of the cell's middle from the obstacles themselves, without the robot; 0 inside one.

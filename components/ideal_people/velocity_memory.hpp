@@ -1,6 +1,6 @@
 // Velocities of the last moments. Recorded people change theirs at once from one annotation to the next, and
-// what is annotated is some centimetres wrong: 0.05 m in each of two places 0.4 s apart are 0.18 m/s. A mean
-// forgets that error:
+// what is annotated is some centimetres wrong: 0.05 m in each of two positions 0.4 s apart are 0.18 m/s. A
+// mean forgets that error:
 //
 //   u(t + dt) = u(t) + (1 - exp(-dt / memory)) (v - u(t))        u = v at the first look
 #pragma once

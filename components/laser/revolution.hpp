@@ -1,7 +1,7 @@
-// Nodes of a turning head put together to revolutions, in the laser's frame L: x where the device has its 0
+// Nodes of a rotating head put together to revolutions, in the laser's frame L: x where the device has its 0
 // degrees, z up, angles counter-clockwise. A revolution goes from the rear (180 degrees) to the rear: where
-// its two ends, a whole turn of time apart, do not fit together, that is behind the robot and not ahead of
-// it.
+// its two ends, a whole revolution of time apart, do not fit together, that is behind the robot and not ahead
+// of it.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct Sample {
 
 struct Revolution {
   Time first;                   ///< when the first sample was taken
-  Time next;                    ///< when the first one of the next revolution was: first + the time of a turn
+  Time next;                    ///< when the first one of the next revolution was: first + the period
   bool is_clockwise = true;     ///< as the samples follow each other in time, seen from above
   std::vector<Sample> samples;  ///< in the order of time
 };
@@ -42,7 +42,7 @@ class RevolutionCollector {
  private:
   bool is_upside_down_;
   bool is_whole_ = false;  ///< what is collected began at the rear
-  double turned_ = 0.0;    ///< since it began [rad], clockwise from the device's side
+  double revolved_ = 0.0;  ///< since it began [rad], clockwise from the device's side
   std::optional<double> last_angle_;
   Revolution collected_;
   std::uint64_t start_bits_ = 0;

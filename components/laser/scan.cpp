@@ -8,7 +8,7 @@
 namespace bw::laser {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr double kSlant = 3.0;  // tangent of 72 degrees: the steepest view of what still is one surface
 constexpr double kMaxApart =
     3.0;  // beams further from the next sample than so many mean distances know nothing
@@ -22,12 +22,12 @@ struct Resampler {
   double increment;
   double most_apart;
 
-  /// `index` may be one before the first and one behind the last: the other end, a turn away.
+  /// `index` may be one before the first and one behind the last: the other end, a revolution away.
   Sample at(std::ptrdiff_t index) const {
     const auto size = static_cast<std::ptrdiff_t>(samples.size());
     Sample sample = samples[static_cast<std::size_t>((index + size) % size)];
-    if (index < 0) sample.angle -= kTurn;
-    if (index >= size) sample.angle += kTurn;
+    if (index < 0) sample.angle -= kTwoPi;
+    if (index >= size) sample.angle += kTwoPi;
     return sample;
   }
 
@@ -77,21 +77,21 @@ struct Resampler {
 
 Scan to_scan(const Revolution& revolution, const ScanOptions& options) {
   const auto beams = static_cast<std::size_t>(options.beams);
-  const double turn = (revolution.next - revolution.first).to_seconds();
-  Scan scan{.angle_increment = kTurn / static_cast<double>(beams),
-            .time_increment = (revolution.is_clockwise ? -turn : turn) / static_cast<double>(beams),
-            .scan_time = turn,
+  const double period = (revolution.next - revolution.first).to_seconds();
+  Scan scan{.angle_increment = kTwoPi / static_cast<double>(beams),
+            .time_increment = (revolution.is_clockwise ? -period : period) / static_cast<double>(beams),
+            .scan_time = period,
             .ranges = std::vector<float>(beams, kNan),
             .qualities = std::vector<float>(beams, 0.0F)};
-  // Clockwise from the rear: beam 0, at -pi, comes a turn after the first, but for one step.
+  // Clockwise from the rear: beam 0, at -pi, comes a revolution after the first, but for one step.
   scan.time = revolution.is_clockwise ? revolution.next : revolution.first;
   if (revolution.samples.empty()) return scan;
   std::vector<Sample> samples = revolution.samples;
   std::stable_sort(samples.begin(), samples.end(),
                    [](const Sample& a, const Sample& b) { return a.angle < b.angle; });
-  const double mean_apart = kTurn / static_cast<double>(samples.size());
+  const double mean_apart = kTwoPi / static_cast<double>(samples.size());
   const Resampler resampler{samples, options, scan.angle_increment,
-                            kMaxApart * std::min(mean_apart, kTurn / 90.0)};
+                            kMaxApart * std::min(mean_apart, kTwoPi / 90.0)};
   std::ptrdiff_t after = 0;
   for (std::size_t i = 0; i < beams; ++i) {
     const double angle = -std::numbers::pi + static_cast<double>(i) * scan.angle_increment;

@@ -54,8 +54,8 @@ struct ScanOptions {
 struct Scan {
   Time time;                     ///< of beam 0
   double angle_increment = 0.0;  ///< [rad]
-  double time_increment = 0.0;   ///< [s]; negative where the head turns clockwise
-  double scan_time = 0.0;        ///< of a turn [s]
+  double time_increment = 0.0;   ///< [s]; negative where the head rotates clockwise
+  double scan_time = 0.0;        ///< of a revolution [s]
   std::vector<float> ranges;     ///< [m]; +inf, -inf (too near) and NaN (nobody looked there) by REP 117
   std::vector<float> qualities;  ///< 0 to 63, of the sample nearest in angle
 };

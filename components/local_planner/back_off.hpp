@@ -5,9 +5,9 @@
 
 namespace bw {
 
-/// A backward command at most at v_back_max, as fast as allows to stop within the free way behind the robot;
-/// a stop when that way is shorter than `margin` [m] beyond the footprint. Status infeasible names what is
-/// behind.
+/// A backward command at most at v_back_max, as fast as allows to stop within the free distance behind the
+/// robot; a stop when that way is shorter than `margin` [m] beyond the footprint. Status infeasible names
+/// what is behind.
 PlanningResult back_off(const PlanningProblem& problem, double period, double margin);
 
 }  // namespace bw

@@ -1,4 +1,4 @@
-// What every local planner does around its own idea: turn on the spot at the goal, trust a motion only if the
+// What every local planner does around its own idea: rotate in place at the goal, trust a motion only if the
 // footprint stays clear, get out of somebody's way, stop.
 #pragma once
 

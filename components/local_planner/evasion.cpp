@@ -16,8 +16,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::array kSpeedShares{1.0, 0.5, 0.0};  // of v_max; v_back_max is added
-constexpr std::array kTurnShares{0.0, 1.0, -1.0, 0.5, -0.5};
-constexpr std::array kLaterTurns{0.0, 1.0, -1.0};
+constexpr std::array kTurnRateShares{0.0, 1.0, -1.0, 0.5, -0.5};
+constexpr std::array kLaterTurnRateShares{0.0, 1.0, -1.0};
 constexpr std::array kLastSpeeds{1.0, 0.0};
 constexpr double kShortestPeriod = 0.05;                // [s] of the simulation
 constexpr std::array kFirstPhases{0.3, 0.6, 1.0, 1.5};  // [s]
@@ -96,15 +96,15 @@ class Search {
         gaps_(problem, steps_ * options.period, options.period / tests_, options.enough_gap),
         top_speed_(std::max({problem.limits.v_max, problem.limits.v_back_max, std::abs(problem.twist.v)})) {
     const Limits& limits = problem.limits;
-    const auto add = [&](const auto& turns, std::vector<Twist2>& targets) {
-      for (const double turn : turns) {
+    const auto add = [&](const auto& shares, std::vector<Twist2>& targets) {
+      for (const double share : shares) {
         for (const double speed : kSpeedShares)
-          targets.push_back({speed * limits.v_max, turn * limits.omega_max});
-        if (limits.v_back_max > 0.0) targets.push_back({-limits.v_back_max, turn * limits.omega_max});
+          targets.push_back({speed * limits.v_max, share * limits.omega_max});
+        if (limits.v_back_max > 0.0) targets.push_back({-limits.v_back_max, share * limits.omega_max});
       }
     };
-    add(kTurnShares, first_targets_);
-    add(kLaterTurns, later_targets_);
+    add(kTurnRateShares, first_targets_);
+    add(kLaterTurnRateShares, later_targets_);
     now_ = gaps_.at(problem.pose, 0, gaps_.farthest()).all;
     double nearest = now_;
     if (PlanningProblem others = without_touched(problem); others.movers.size() < problem.movers.size()) {
@@ -156,7 +156,7 @@ class Search {
   }
 
   // No move stays clear of where people are expected. They will not be exactly there: what overlaps least may
-  // clear, what touches last, along the way of who comes from behind, hardly will.
+  // clear, what touches last, along the path of who comes from behind, hardly will.
   void look_for_least_contact() {
     takes_contacts_ = true;
     Motion motion = start();
@@ -219,10 +219,10 @@ class Search {
     const TrajectoryPoint& point = points_.back();
     const Vector2 velocity = point.twist.v * Vector2(std::cos(point.pose.theta), std::sin(point.pose.theta));
     return std::any_of(problem_.movers.begin(), problem_.movers.end(), [&](const Mover& mover) {
-      const Vector2 way = mover.position_at(point.time) - point.pose.position();
-      const double distance = way.norm();
+      const Vector2 offset = mover.position_at(point.time) - point.pose.position();
+      const double distance = offset.norm();
       return distance < mover.radius + problem_.footprint.radius + kRunsIntoGap &&
-             velocity.dot(way) > kRunsIntoSpeed * distance;
+             velocity.dot(offset) > kRunsIntoSpeed * distance;
     });
   }
 

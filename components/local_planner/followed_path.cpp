@@ -16,9 +16,9 @@ namespace {
 constexpr double kReach = 3.0;
 constexpr double kAhead = 1.0;      // [m] at which the way on is seen from a corner
 constexpr double kOffPath = 0.4;    // [m] within which the robot counts as on the path
-constexpr double kStep = 0.1;       // [m] between the places of the path that are compared with a chord
-constexpr double kCloser = 1e-6;    // [m] from which one place is nearer than another
-constexpr double kTurned = 0.3;     // [rad] within which the robot faces the way on
+constexpr double kStep = 0.1;       // [m] between the positions of the path that are compared with a chord
+constexpr double kCloser = 1e-6;    // [m] from which one point is nearer than another
+constexpr double kFacing = 0.3;     // [rad] within which the robot faces the way on
 constexpr double kNoBearing = 0.1;  // [m] nearer than which the way on has no direction
 // A stretch of more than this much of its chord and kLoop [m] comes back to where it began.
 constexpr double kStraightness = 2.0;
@@ -29,9 +29,9 @@ double distance(const Vector2& a, const Vector2& b) { return (a - b).norm(); }
 }  // namespace
 
 void FollowedPath::start(std::vector<Pose2> poses) {
-  const double way_made = way_made_;
+  const double travelled = travelled_;
   *this = {};
-  way_made_ = way_made;
+  travelled_ = travelled;
   poses_ = std::move(poses);
   if (poses_.empty()) return;
   line_.emplace(poses_, poses_.front().position(), 0.0);
@@ -46,7 +46,7 @@ const PathLeg& FollowedPath::leg(const Pose2& X_PB, const FollowLimits& limits) 
   if (poses_.empty()) return leg_;
   const Vector2 robot = X_PB.position();
   advance(robot, limits);
-  if (!turn_first(X_PB)) cut(robot, limits);
+  if (!rotate_first(X_PB)) cut(robot, limits);
   return leg_;
 }
 
@@ -58,20 +58,20 @@ void FollowedPath::advance(const Vector2& robot, const FollowLimits& limits) {
   for (bool goes_on = true; goes_on;) {
     const bool moved = advance_once(robot, reach);
     const bool passed = pass_corner(robot, limits.tolerance.xy);
-    if (passed && !begins) leg_.begins = is_turning_ = true;
+    if (passed && !begins) leg_.begins = is_rotating_ = true;
     goes_on = begins && (moved || passed);
   }
   const double before = distance_to_goal_;
   measure(robot);
-  if (!begins) way_made_ += before - distance_to_goal_;
+  if (!begins) travelled_ += before - distance_to_goal_;
 }
 
 bool FollowedPath::advance_once(const Vector2& robot, double reach) {
   const double beside = distance(line_->at(progress_), robot);
-  const PlanLine::Place place =
+  const PlanLine::Projection projection =
       line_->nearest(robot, progress_, std::min(progress_ + reach, along_[leg_end()]));
-  if (place.beside > beside - kCloser) return false;
-  progress_ = place.along;
+  if (projection.beside > beside - kCloser) return false;
+  progress_ = projection.along;
   return true;
 }
 
@@ -94,14 +94,14 @@ void FollowedPath::measure(const Vector2& robot) {
     distance_to_goal_ += distance(poses_[i - 1].position(), poses_[i].position());
 }
 
-bool FollowedPath::turn_first(const Pose2& X_PB) {
-  if (!is_turning_) return false;
+bool FollowedPath::rotate_first(const Pose2& X_PB) {
+  if (!is_rotating_) return false;
   const Vector2 ahead = line_->at(std::min(progress_ + kAhead, along_[leg_end()])) - X_PB.position();
   const double heading = std::atan2(ahead.y(), ahead.x());
-  is_turning_ = ahead.norm() > kNoBearing && std::abs(wrap_angle(heading - X_PB.theta)) > kTurned;
-  if (!is_turning_) return false;
+  is_rotating_ = ahead.norm() > kNoBearing && std::abs(wrap_angle(heading - X_PB.theta)) > kFacing;
+  if (!is_rotating_) return false;
   leg_.poses = {{X_PB.x, X_PB.y, heading}};
-  leg_.tolerance.yaw = kTurned;
+  leg_.tolerance.yaw = kFacing;
   return true;
 }
 
@@ -123,9 +123,9 @@ void FollowedPath::cut(const Vector2& robot, const FollowLimits& limits) {
 
 double FollowedPath::straight_until(double end, double max_deviation) const {
   // From the robot; but one that was driven off the path shall see as far as one beside it.
-  const Vector2 place = line_->at(progress_);
-  const Vector2 beside = *robot_ - place;
-  const Vector2 from = place + beside * (kOffPath / std::max(beside.norm(), kOffPath));
+  const Vector2 point = line_->at(progress_);
+  const Vector2 beside = *robot_ - point;
+  const Vector2 from = point + beside * (kOffPath / std::max(beside.norm(), kOffPath));
   std::vector<Vector2> between;
   for (double along = progress_ + kStep; along < end + kStep; along += kStep) {
     const double here = std::min(along, end);

@@ -120,13 +120,13 @@ MotionGap gap_along(const std::vector<TrajectoryPoint>& trajectory, double horiz
     const double travel = (b.pose.position() - a.pose.position()).norm();
     const double tests = std::ceil(std::max(travel / step, (b.time - a.time) / kTimeStep));
     const int samples = static_cast<int>(std::clamp(tests, 1.0, kMaxTestsPerSegment));
-    const double turn = wrap_angle(b.pose.theta - a.pose.theta);
+    const double rotation = wrap_angle(b.pose.theta - a.pose.theta);
     for (int k = 0; k < samples; ++k) {
       const double s = static_cast<double>(k) / samples;
       const double time = a.time + s * (b.time - a.time);
       if (time > horizon) break;
       test({a.pose.x + s * (b.pose.x - a.pose.x), a.pose.y + s * (b.pose.y - a.pose.y),
-            a.pose.theta + s * turn},
+            a.pose.theta + s * rotation},
            time);
     }
   }

@@ -8,11 +8,11 @@ namespace {
 // Directions are those over this length, since paths on grids go in steps of a cell, and recorded ones
 // tremble [m].
 constexpr double kScale = 0.25;
-constexpr double kShortest = 0.05;  // [m] of a way that has a direction
+constexpr double kShortest = 0.05;  // [m] of a path that has a direction
 constexpr double kSharp = 1.4;      // [rad]
 
 /// How far the path leads to and from a sharp corner `along` [m] it, in straight lines [m]; 0: there is none.
-/// Of places near a corner this is greatest at the corner itself.
+/// Of positions near a corner this is greatest at the corner itself.
 double corner_length(const PlanLine& line, double along) {
   const Vector2 here = line.at(along);
   const Vector2 in = here - line.at(along - kScale);

@@ -27,11 +27,11 @@ PlanLine::PlanLine(const std::vector<Pose2>& plan, const Vector2& robot, double 
   add(end + std::max(beyond, 1e-3) * last_leg);
 }
 
-PlanLine::Place PlanLine::nearest(const Vector2& point, double from, double to) const {
+PlanLine::Projection PlanLine::nearest(const Vector2& point, double from, double to) const {
   from = std::clamp(from, 0.0, along_.back());
   to = std::clamp(to, from, along_.back());
   const auto begin = std::upper_bound(along_.begin() + 1, along_.end() - 1, from);
-  Place best{from, std::numeric_limits<double>::infinity()};
+  Projection best{from, std::numeric_limits<double>::infinity()};
   double least = std::numeric_limits<double>::infinity();
   for (auto i = static_cast<std::size_t>(begin - along_.begin()); i < points_.size(); ++i) {
     if (along_[i - 1] > to) break;

@@ -9,17 +9,17 @@ namespace bw {
 
 class PlanLine {
  public:
-  struct Place {
-    double along = 0.0;   ///< way from the line's beginning [m]
+  struct Projection {
+    double along = 0.0;   ///< distance from the line's beginning [m]
     double beside = 0.0;  ///< distance from the line [m]
   };
 
-  /// Through the poses of `plan`, which is not empty; a plan of one place is the way there from `robot`. It
-  /// goes straight on for `beyond` [m] after its end.
+  /// Through the poses of `plan`, which is not empty; a plan of one position is the line there from `robot`.
+  /// It goes straight on for `beyond` [m] after its end.
   PlanLine(const std::vector<Pose2>& plan, const Vector2& robot, double beyond);
 
-  /// The place nearest to `point`, of those from `from` to `to` [m]; of equals the first.
-  Place nearest(const Vector2& point, double from, double to) const;
+  /// The point nearest to `point`, of those from `from` to `to` [m]; of equals the first.
+  Projection nearest(const Vector2& point, double from, double to) const;
   /// The point `along` [m] the line; its ends beyond them.
   Vector2 at(double along) const;
   /// [m], without what goes on after the end.

@@ -1,5 +1,5 @@
 // Gaps around the footprint at equally spaced times, for searches that ask for very many of them: obstacles
-// out of reach are dropped, movers placed beforehand, and what is around a place found once.
+// out of reach are dropped, movers placed beforehand, and what is around a position found once.
 #pragma once
 
 #include <vector>

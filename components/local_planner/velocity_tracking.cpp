@@ -19,7 +19,7 @@ std::string label_of(double share) {
   return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " % speed";
 }
 
-// Turns so fast that half of alpha_max ends the turn at the velocity's direction.
+// Rotates so fast that half of alpha_max ends the rotation at the velocity's direction.
 Twist2 towards(const Vector2& velocity, double heading, const PlanningProblem& problem) {
   const double error = wrap_angle(std::atan2(velocity.y(), velocity.x()) - heading);
   const double rate =
@@ -52,12 +52,12 @@ std::vector<TrajectoryPoint> followed(const Vector2& velocity, double share, dou
 }  // namespace
 
 Vector2 velocity_towards(const Vector2& goal, const PlanningProblem& problem, double time_step) {
-  const Vector2 way = goal - problem.pose.position();
-  const double distance = way.norm();
+  const Vector2 to_goal = goal - problem.pose.position();
+  const double distance = to_goal.norm();
   if (distance == 0.0) return {0.0, 0.0};
   double speed = std::min(problem.limits.v_max, distance / time_step);
   if (problem.goal_is_final) speed = std::min(speed, std::sqrt(2.0 * problem.limits.acc_max * distance));
-  return (speed / distance) * way;
+  return (speed / distance) * to_goal;
 }
 
 void track_velocity(const PlanningProblem& problem, const DrivingOptions& driving, const Vector2& velocity,
@@ -67,8 +67,8 @@ void track_velocity(const PlanningProblem& problem, const DrivingOptions& drivin
     return;
   }
   const double horizon = driving.feasibility_check_time;
-  const double way = (aim - problem.pose.position()).norm();
-  const double duration = std::min(horizon, way / velocity.norm());
+  const double distance = (aim - problem.pose.position()).norm();
+  const double duration = std::min(horizon, distance / velocity.norm());
   for (const double share : kSpeedShares) {
     std::vector<TrajectoryPoint> trajectory = followed(velocity, share, duration, horizon, problem);
     const bool free = is_free(trajectory, problem, driving);

@@ -16,7 +16,7 @@ Vector2 velocity_towards(const Vector2& goal, const PlanningProblem& problem, do
 
 /// Fills command, trajectory, candidates and status of `result`: turn towards `velocity` [m/s, planning
 /// frame], slower the further it points away from the heading, never backward; not past `aim` [m]. Of several
-/// speeds, down to turning on the spot, the highest whose motion over feasibility_check_time is free. If none
+/// speeds, down to rotating in place, the highest whose motion over feasibility_check_time is free. If none
 /// is, or the velocity has no direction: an evasive move, then a stop (status infeasible).
 void track_velocity(const PlanningProblem& problem, const DrivingOptions& driving, const Vector2& velocity,
                     const Vector2& aim, PlanningResult& result);

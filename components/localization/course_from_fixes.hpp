@@ -31,14 +31,14 @@ class CourseFromFixes {
       return std::nullopt;
     }
     const Duration over = fix.time - from.time;
-    const Vector2 way = fix.position - from.position;
-    const double distance = way.norm();
+    const Vector2 offset = fix.position - from.position;
+    const double distance = offset.norm();
     const double sum = from.covariance.diagonal().maxCoeff() + fix.covariance.diagonal().maxCoeff();
     if (distance * limits_.sigma < std::sqrt(sum)) return std::nullopt;
     from_ = fix;
     if (distance < limits_.speed * over.to_seconds()) return std::nullopt;
-    return CourseReading{from.time + Duration{over.nanoseconds / 2}, source_, std::atan2(way.y(), way.x()),
-                         sum / (distance * distance)};
+    return CourseReading{from.time + Duration{over.nanoseconds / 2}, source_,
+                         std::atan2(offset.y(), offset.x()), sum / (distance * distance)};
   }
 
  private:

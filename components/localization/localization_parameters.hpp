@@ -146,8 +146,8 @@ struct LocalizationParameters {
     if (set_initial_pose && start_anywhere) return "set_initial_pose and start_anywhere exclude each other";
     if (start_anywhere && algorithm != Algorithm::particle_filter)
       return "start_anywhere needs algorithm: particle_filter";
-    const Geodetic place{datum.latitude, datum.longitude, datum.altitude};
-    if (datum.enabled && !LocalPlane::around(place)) return "datum must be a place on the earth";
+    const Geodetic geodetic{datum.latitude, datum.longitude, datum.altitude};
+    if (datum.enabled && !LocalPlane::around(geodetic)) return "datum must be a place on the earth";
     return std::nullopt;
   }
 };

@@ -54,13 +54,13 @@ struct Checker {
   }
 
   Verdict operator()(const WheelStep& m) const {
-    const bool finite = std::isfinite(m.distance) && std::isfinite(m.turn) && m.covariance.allFinite() &&
+    const bool finite = std::isfinite(m.distance) && std::isfinite(m.rotation) && m.covariance.allFinite() &&
                         std::isfinite(m.separation) && std::isfinite(m.rounding);
     if (!finite) return Verdict::not_finite;
     const double seconds = m.over.to_seconds();
     if (m.over.nanoseconds <= 0 || seconds > limits.wheel_interval) return Verdict::bad_interval;
     if (m.separation < 0.0 || m.separation > 100.0) return Verdict::implausible;
-    if (std::abs(m.distance) > limits.speed * seconds || std::abs(m.turn) > limits.turn_rate * seconds)
+    if (std::abs(m.distance) > limits.speed * seconds || std::abs(m.rotation) > limits.turn_rate * seconds)
       return Verdict::implausible;
     // A standing base has zero covariance: semi-definite will do.
     const Eigen::Matrix2d& C = m.covariance;

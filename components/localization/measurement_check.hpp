@@ -10,7 +10,7 @@ namespace bw::localization {
 struct MeasurementLimits {
   /// [m/s] faster wheels are a fault
   double speed = 20.0;
-  /// [rad/s] a faster turn of wheels or gyro is a fault
+  /// [rad/s] a faster rotation of wheels or gyro is a fault
   double turn_rate = 20.0;
   /// [s] a wheel step over a longer time is not an arc
   double wheel_interval = 1.0;

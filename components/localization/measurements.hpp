@@ -16,7 +16,7 @@ namespace bw::localization {
 /// many there are; this many have room in one that was told nothing.
 constexpr int kUsualSources = 8;
 
-/// Place of an antenna, e.g. a satellite fix taken to the local plane (local_plane.hpp).
+/// Position of an antenna, e.g. a satellite fix taken to the local plane (local_plane.hpp).
 struct PositionFix {
   Time time;
   int source = 0;
@@ -49,7 +49,7 @@ struct CourseReading {
   double variance = 1.0;  ///< [rad^2]
 };
 
-/// Distance to a known place, e.g. a radio anchor.
+/// Distance to a known position, e.g. a radio anchor.
 struct RangeReading {
   Time time;
   int source = 0;

@@ -14,9 +14,12 @@ class OdometrySteps {
   OdometrySteps() = default;
   /// `noise`: k of model/README.md 2.2 [m]; 0: as the variance of the odometry's heading grows,
   /// kUndeclaredNoise where it does not.
-  /// `tick`: way of a wheel between two counts [m]; 0: not known.
+  /// `tick`: travel of a wheel between two counts [m]; 0: not known.
   OdometrySteps(int source, double separation, double noise, double tick = 0.0)
-      : source_(source), separation_(separation), noise_(noise), rounding_(turn_rounding(tick, separation)) {}
+      : source_(source),
+        separation_(separation),
+        noise_(noise),
+        rounding_(rotation_rounding(tick, separation)) {}
 
   void set_noise(double noise) { noise_ = noise; }
 

@@ -82,13 +82,14 @@ class Window {
 constexpr std::array<Cell, 8> kNeighbours{
     {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 
-// Appends untaken neighbours one after the other, turning as little as possible, until there is none.
+// Appends untaken neighbours one after the other, changing heading as little as possible, until there is
+// none.
 void walk(Window& window, std::vector<Cell>& chain, int heading) {
-  constexpr std::array<int, 8> kTurns{0, 1, -1, 2, -2, 3, -3, 4};
+  constexpr std::array<int, 8> kHeadingChanges{0, 1, -1, 2, -2, 3, -3, 4};
   for (bool moved = true; moved;) {
     moved = false;
-    for (const int turn : kTurns) {
-      const int next_heading = (heading + turn + 8) % 8;
+    for (const int change : kHeadingChanges) {
+      const int next_heading = (heading + change + 8) % 8;
       const Cell& step = kNeighbours[static_cast<std::size_t>(next_heading)];
       const Cell next{chain.back().column + step.column, chain.back().row + step.row};
       if (!window.take(next)) continue;
@@ -142,7 +143,7 @@ std::vector<std::size_t> corners_of(const std::vector<Vector2>& chain, double to
   return corners;
 }
 
-// A disc [cells] whose rim passes within `tolerance` of all places of a closed chain, if there is one of at
+// A disc [cells] whose rim passes within `tolerance` of all points of a closed chain, if there is one of at
 // most `max_radius`: pillars, legs and specks. Nothing that fits inside so small a ring could be missed.
 std::optional<Disc> round_outline(const std::vector<Vector2>& chain, double tolerance, double max_radius) {
   if (chain.size() < 4 || chain.front() != chain.back()) return std::nullopt;
@@ -150,8 +151,8 @@ std::optional<Disc> round_outline(const std::vector<Vector2>& chain, double tole
   for (std::size_t i = 1; i < chain.size(); ++i) center += chain[i] / static_cast<double>(chain.size() - 1);
   double smallest = std::numeric_limits<double>::infinity();
   double largest = 0.0;
-  for (const Vector2& place : chain) {
-    const double distance = (place - center).norm();
+  for (const Vector2& point : chain) {
+    const double distance = (point - center).norm();
     smallest = std::min(smallest, distance);
     largest = std::max(largest, distance);
   }
@@ -166,15 +167,15 @@ struct Shape {
 };
 
 // Where the surface runs through the cells of a chain [cells].
-std::vector<Vector2> places_of(const OccupancyGrid& grid, const std::vector<Cell>& chain,
+std::vector<Vector2> points_of(const OccupancyGrid& grid, const std::vector<Cell>& chain,
                                std::span<const Eigen::Vector2f> surface) {
-  std::vector<Vector2> places;
-  places.reserve(chain.size());
+  std::vector<Vector2> points;
+  points.reserve(chain.size());
   for (const Cell& cell : chain) {
-    places.emplace_back(cell.column + 0.5, cell.row + 0.5);
-    if (!surface.empty()) places.back() += surface[grid.index(cell.column, cell.row)].cast<double>();
+    points.emplace_back(cell.column + 0.5, cell.row + 0.5);
+    if (!surface.empty()) points.back() += surface[grid.index(cell.column, cell.row)].cast<double>();
   }
-  return places;
+  return points;
 }
 
 // Shapes of one chain, from cells to metres.
@@ -212,7 +213,7 @@ ExtractionResult extract_obstacles(const OccupancyGrid& grid, const Vector2& pos
   std::vector<Shape> shapes;
   for (const Cell& seed : window.cells()) {
     if (window.take(seed)) {
-      add_shapes(grid, position, places_of(grid, trace_chain(window, seed), surface), options.tolerance_cells,
+      add_shapes(grid, position, points_of(grid, trace_chain(window, seed), surface), options.tolerance_cells,
                  shapes);
     }
   }

@@ -38,9 +38,9 @@ struct ExtractionResult {
 /// `radius` of `position` are chained to contours. A small round contour becomes a disc, others the fewest
 /// segments that doubling strides find, a single cell a point. Every boundary
 /// cell's centre lies within the tolerance of a shape (of its rim, for a disc). Shapes run through cell
-/// centres: the surface may stand half a cell before them. With `surface`, the place of the surface in each
-/// cell from its centre [cells], shapes run through those places instead. Deterministic. A position that is
-/// not finite gives nothing.
+/// centres: the surface may stand half a cell before them. With `surface`, the position of the surface in
+/// each cell from its centre [cells], shapes run through those positions instead. Deterministic. A position
+/// that is not finite gives nothing.
 ExtractionResult extract_obstacles(const OccupancyGrid& grid, const Vector2& position,
                                    const ExtractionOptions& options,
                                    std::span<const Eigen::Vector2f> surface = {});

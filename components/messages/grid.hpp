@@ -25,7 +25,7 @@ inline nav_msgs::msg::OccupancyGrid to_message(const OccupancyGrid& grid, const 
   return message;
 }
 
-/// Returns why the message is no usable grid (sizes, numbers, a turned origin; `grid` is then unchanged), or
+/// Returns why the message is no usable grid (sizes, numbers, a rotated origin; `grid` is then unchanged), or
 /// nothing.
 inline std::string read_grid(const nav_msgs::msg::OccupancyGrid& message, OccupancyGrid& grid) {
   const auto& info = message.info();

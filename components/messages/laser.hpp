@@ -10,10 +10,10 @@
 
 namespace bw {
 
-/// From one beam to the next [s]: a head that turns takes them one after the other, from the stamp on
+/// From one beam to the next [s]: a head that rotates takes them one after the other, from the stamp on
 /// (backwards, if negative). Zero: all at the stamp, as of who says nothing, or what no laser does.
 inline double time_increment_of(const sensor_msgs::msg::LaserScan& message) {
-  constexpr double kLongest = 1.0;  // [s]: a turn that any laser needs
+  constexpr double kLongest = 1.0;  // [s]: a revolution that any laser needs
   const auto increment = static_cast<double>(message.time_increment());
   const bool is_sound = std::abs(increment) * static_cast<double>(message.ranges().size()) <= kLongest;
   return is_sound && from_stamp(message.header().stamp()) > Time{} ? increment : 0.0;

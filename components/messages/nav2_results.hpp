@@ -69,7 +69,7 @@ void add_missed_waypoint(Result& result, std::uint32_t index, const geometry_msg
 }
 
 /// How the robot stands to the path it follows. Distances in m along the path, speed in m/s, errors from the
-/// path in m (positive: left of it) and rad (positive: turned to the right of it); the pose is base_link's,
+/// path in m (positive: left of it) and rad (positive: rotated to the right of it); the pose is base_link's,
 /// in the path's frame.
 struct PathTracking {
   geometry_msgs::msg::PoseStamped robot_pose;

@@ -62,7 +62,7 @@ CapsuleIndex::CapsuleIndex(std::vector<Capsule> capsules) : capsules_(std::move(
 }
 
 void CapsuleIndex::form_groups() {
-  CellNumbers places;
+  CellNumbers numbers;
   std::vector<std::uint32_t> group_of(capsules_.size(), CellNumbers::kNone);
   const auto enclose = [](Group& group, const Vector2& a, const Vector2& b) {
     group.low = group.low.cwiseMin(a).cwiseMin(b);
@@ -73,7 +73,7 @@ void CapsuleIndex::form_groups() {
     const Capsule& c = capsules_[i];
     if ((c.b - c.a).squaredNorm() > kShort * kShort) continue;
     const Vector2 middle = 0.5 * (c.a + c.b);
-    const std::uint32_t group = places.number(cell(middle.x(), kGroupSide), cell(middle.y(), kGroupSide));
+    const std::uint32_t group = numbers.number(cell(middle.x(), kGroupSide), cell(middle.y(), kGroupSide));
     if (group == groups_.size()) groups_.push_back({c.a, c.a, 0.0, 0, 0});
     group_of[i] = group;
     enclose(groups_[group], c.a, c.b);
@@ -93,14 +93,14 @@ void CapsuleIndex::form_groups() {
   for (std::size_t i = 0; i < capsules_.size(); ++i) {
     if (group_of[i] != CellNumbers::kNone) continue;
     const Capsule& c = capsules_[i];
-    const Vector2 way = c.b - c.a;
-    const double pieces = std::min(std::ceil(way.norm() / kPiece), kMaxPieces);
+    const Vector2 axis = c.b - c.a;
+    const double pieces = std::min(std::ceil(axis.norm() / kPiece), kMaxPieces);
     members_.push_back(static_cast<std::uint32_t>(i));
     const auto last = static_cast<std::uint32_t>(members_.size());
     for (double k = 0.0; k < pieces; k += 1.0) {
-      const Vector2 from = c.a + way * (k / pieces);
+      const Vector2 from = c.a + axis * (k / pieces);
       groups_.push_back({from, from, c.radius, last - 1, last});
-      enclose(groups_.back(), from, k + 1.0 < pieces ? Vector2(c.a + way * ((k + 1.0) / pieces)) : c.b);
+      enclose(groups_.back(), from, k + 1.0 < pieces ? Vector2(c.a + axis * ((k + 1.0) / pieces)) : c.b);
     }
   }
 }

@@ -1,4 +1,4 @@
-// Obstacles by where they are: what is near a place is found without a look at the rest.
+// Obstacles by where they are: what is near a position is found without a look at the rest.
 #pragma once
 
 #include <algorithm>
@@ -76,9 +76,9 @@ class CapsuleIndex {
   static constexpr double kCell = 1.0;  // [m] side of the cells that groups are looked for in
 
   static std::int32_t cell(double coordinate, double side) {
-    const double place = std::clamp(coordinate * (1.0 / side), -2e9, 2e9);
-    const auto whole = static_cast<std::int32_t>(place);
-    return static_cast<double>(whole) > place ? whole - 1 : whole;
+    const double scaled = std::clamp(coordinate * (1.0 / side), -2e9, 2e9);
+    const auto whole = static_cast<std::int32_t>(scaled);
+    return static_cast<double>(whole) > scaled ? whole - 1 : whole;
   }
   void form_groups();
   void file_groups();

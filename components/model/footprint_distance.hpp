@@ -20,7 +20,7 @@ struct Capsule {
 struct FootprintDistance {
   double distance = 0.0;       ///< negative: how far the robot must move to be free
   Vector2 gradient{0.0, 0.0};  ///< by x and y: away from the obstacle; zero where no direction is better
-  double turn = 0.0;           ///< by theta [m/rad]; 0 for a disc
+  double by_theta = 0.0;       ///< by theta [m/rad]; 0 for a disc
 };
 
 /// From the footprint at `pose` to the capsule, both in one frame. Of a polygon that is not convex distances

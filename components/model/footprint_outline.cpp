@@ -43,7 +43,7 @@ void drop_idle(std::vector<Vector2>& corners) {
 }
 
 /// One sentence; empty: a counter-clockwise convex polygon around base_link.
-std::string fault_of_turns(const std::vector<Vector2>& corners) {
+std::string fault_of_orientation(const std::vector<Vector2>& corners) {
   double angle = 0.0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vector2& a = corners[i];
@@ -158,7 +158,7 @@ FootprintResult footprint_of(std::vector<Vector2> corners) {
   if (signed_area(corners) < 0.0) std::reverse(corners.begin(), corners.end());
   drop_idle(corners);
   result.fault = corners.size() < 3 ? "must have three corners at least that are not on one line"
-                                    : fault_of_turns(corners);
+                                    : fault_of_orientation(corners);
   if (result.fault.empty()) result.footprint = enclosed(std::move(corners));
   return result;
 }

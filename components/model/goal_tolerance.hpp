@@ -13,12 +13,12 @@ struct GoalTolerance {
 };
 
 /// Where a planner ends its drive, unless told otherwise: half of the way in, so that coming to rest, and
-/// what localization and odometry disagree by, stay inside; a third of the heading, which turning on the spot
+/// what localization and odometry disagree by, stay inside; a third of the heading, which rotating in place
 /// reaches anyway.
 constexpr GoalTolerance inside(const GoalTolerance& reached) { return {reached.xy / 2.0, reached.yaw / 3.0}; }
 
-/// Where a judge who knows the truth still agrees that the robot is there [m]: the robot knows its place by
-/// about 0.1 m.
+/// Where a judge who knows the truth still agrees that the robot is there [m]: the robot knows its position
+/// by about 0.1 m.
 constexpr double judged_xy(const GoalTolerance& reached) { return reached.xy + 0.1; }
 
 }  // namespace bw

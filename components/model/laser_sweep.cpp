@@ -40,19 +40,19 @@ const char* to_text(SweepFault fault) {
 }
 
 SweepFault fault_of(const LaserSweep& sweep) {
-  constexpr double kTurn = 2.0 * std::numbers::pi;
+  constexpr double kTwoPi = 2.0 * std::numbers::pi;
   constexpr double kLeastIncrement = 1e-4;  // [rad]: finer than any scanner, and a bound on the beams
   constexpr double kMaxIncrement = 0.5;     // [rad]
   constexpr double kLongestRange = 1e4;     // [m]
   constexpr double kFarthest = 1e6;         // [m]
   const double step = std::abs(sweep.angle_increment);
-  if (!(std::abs(sweep.angle_min) <= 2.0 * kTurn) || !(step >= kLeastIncrement && step <= kMaxIncrement))
+  if (!(std::abs(sweep.angle_min) <= 2.0 * kTwoPi) || !(step >= kLeastIncrement && step <= kMaxIncrement))
     return SweepFault::bad_angles;
   if (!(sweep.range_min >= 0.0 && sweep.range_max > sweep.range_min && sweep.range_max <= kLongestRange))
     return SweepFault::bad_limits;
   if (sweep.ranges.size() < 2) return SweepFault::wrong_length;
   const double width = static_cast<double>(sweep.ranges.size() - 1) * sweep.angle_increment;
-  if (std::abs(width) > kTurn + 2.0 * step) return SweepFault::wrong_length;
+  if (std::abs(width) > kTwoPi + 2.0 * step) return SweepFault::wrong_length;
   // Some drivers name the angle after the last beam.
   if (sweep.angle_max && !(std::abs(sweep.angle_min + width - *sweep.angle_max) < 1.5 * step))
     return SweepFault::wrong_length;

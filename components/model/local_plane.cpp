@@ -18,19 +18,19 @@ double prime_vertical_radius(double sine) {
 
 }  // namespace
 
-bool is_plausible(const Geodetic& place) {
-  return std::abs(place.latitude) <= 90.0 && std::abs(place.longitude) <= 360.0 && place.altitude >= -20e3 &&
-         place.altitude <= 100e3;  // false for NaN
+bool is_plausible(const Geodetic& geodetic) {
+  return std::abs(geodetic.latitude) <= 90.0 && std::abs(geodetic.longitude) <= 360.0 &&
+         geodetic.altitude >= -20e3 && geodetic.altitude <= 100e3;  // false for NaN
 }
 
-Eigen::Vector3d to_earth_centred(const Geodetic& place) {
-  const double sine = std::sin(place.latitude * kDegree);
-  const double cosine = std::cos(place.latitude * kDegree);
+Eigen::Vector3d to_earth_centred(const Geodetic& geodetic) {
+  const double sine = std::sin(geodetic.latitude * kDegree);
+  const double cosine = std::cos(geodetic.latitude * kDegree);
   const double N = prime_vertical_radius(sine);
-  const double axis_distance = (N + place.altitude) * cosine;
-  return {axis_distance * std::cos(place.longitude * kDegree),
-          axis_distance * std::sin(place.longitude * kDegree),
-          (N * (1.0 - kEccentricitySquared) + place.altitude) * sine};
+  const double axis_distance = (N + geodetic.altitude) * cosine;
+  return {axis_distance * std::cos(geodetic.longitude * kDegree),
+          axis_distance * std::sin(geodetic.longitude * kDegree),
+          (N * (1.0 - kEccentricitySquared) + geodetic.altitude) * sine};
 }
 
 std::optional<LocalPlane> LocalPlane::around(const Geodetic& datum) {
@@ -48,8 +48,8 @@ LocalPlane::LocalPlane(const Geodetic& datum) : datum_(datum), origin_(to_earth_
       cos_lat * cos_lon, cos_lat * sin_lon, sin_lat;    // up
 }
 
-Eigen::Vector3d LocalPlane::to_plane(const Geodetic& place) const {
-  return R_plane_earth_ * (to_earth_centred(place) - origin_);
+Eigen::Vector3d LocalPlane::to_plane(const Geodetic& geodetic) const {
+  return R_plane_earth_ * (to_earth_centred(geodetic) - origin_);
 }
 
 Geodetic LocalPlane::to_geodetic(const Eigen::Vector3d& east_north_up) const {

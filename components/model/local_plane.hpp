@@ -15,19 +15,19 @@ struct Geodetic {
 };
 
 /// Finite, |latitude| <= 90, |longitude| <= 360, altitude in [-20 km, 100 km].
-bool is_plausible(const Geodetic& place);
+bool is_plausible(const Geodetic& geodetic);
 
 /// Earth-centred, earth-fixed [m].
-Eigen::Vector3d to_earth_centred(const Geodetic& place);
+Eigen::Vector3d to_earth_centred(const Geodetic& geodetic);
 
 class LocalPlane {
  public:
   /// Nothing if the datum is not plausible.
   static std::optional<LocalPlane> around(const Geodetic& datum);
 
-  /// East, north, up [m] of the datum. The plane touches the ellipsoid there: 1 km away a place at equal
+  /// East, north, up [m] of the datum. The plane touches the ellipsoid there: 1 km away a position at equal
   /// altitude lies 8 cm below it, which leaves east and north exact.
-  Eigen::Vector3d to_plane(const Geodetic& place) const;
+  Eigen::Vector3d to_plane(const Geodetic& geodetic) const;
   /// Inverse of to_plane, within 1e-6 m up to 1000 km and 50 km altitude.
   Geodetic to_geodetic(const Eigen::Vector3d& east_north_up) const;
 

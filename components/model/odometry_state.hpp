@@ -14,7 +14,7 @@ struct OdometryState {
   Twist2 twist;                                                ///< body velocity over the window
   Eigen::Matrix3d pose_covariance = Eigen::Matrix3d::Zero();   ///< of (x, y, theta) [m, rad]
   Eigen::Matrix2d twist_covariance = Eigen::Matrix2d::Zero();  ///< of (v, omega)
-  double left_angle = 0.0;  ///< turned by the left wheel since the start [rad]
+  double left_angle = 0.0;  ///< rotated by the left wheel since the start [rad]
   double right_angle = 0.0;
 };
 

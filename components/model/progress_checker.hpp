@@ -1,4 +1,4 @@
-// Whether a drive is getting anywhere: has the robot moved, or turned, far enough for the time that has
+// Whether a drive is getting anywhere: has the robot moved, or rotated, far enough for the time that has
 // passed?
 #pragma once
 
@@ -13,8 +13,8 @@ namespace bw {
 
 struct ProgressLimits {
   double movement = 0.5;  ///< so far is progress [m]
-  double turn =
-      std::numeric_limits<double>::infinity();  ///< so is a turn by this [rad]; infinity: no turn is
+  double rotation =
+      std::numeric_limits<double>::infinity();  ///< so is a rotation by this [rad]; infinity: no rotation is
   double time = 10.0;                           ///< longest without progress [s]
 };
 
@@ -27,7 +27,7 @@ class ProgressChecker {
   /// than the last progress, is a start.
   bool update(Time now, const Pose2& X, const ProgressLimits& limits) {
     if (!anchor_ || now < anchor_->time || (X.position() - anchor_->X.position()).norm() >= limits.movement ||
-        std::abs(wrap_angle(X.theta - anchor_->X.theta)) >= limits.turn) {
+        std::abs(wrap_angle(X.theta - anchor_->X.theta)) >= limits.rotation) {
       anchor_ = Anchor{now, X};
     }
     return (now - anchor_->time).to_seconds() <= limits.time;

@@ -57,7 +57,7 @@ struct Robot {
   double wheel_radius = 0.0762;              ///< mean of both wheels [m]
   double wheel_radius_ratio = 1.0;           ///< right over left: E_d of Borenstein and Feng (1996)
   double wheel_separation = 0.39;            ///< distance b between the wheels [m]
-  std::int64_t ticks_per_revolution = 2578;  ///< encoder counts per wheel turn
+  std::int64_t ticks_per_revolution = 2578;  ///< encoder counts per wheel revolution
   double wheel_speed_max = 2.0;              ///< top ground speed of one wheel [m/s]
   double radius = 0.3;    ///< footprint: disc around base_link [m], unless there is a polygon
   std::string footprint;  ///< polygon as text; read it by outline()

@@ -45,7 +45,7 @@ Vector2 desired_force(const SocialForceOptions& options, const Vector2& desired_
                       const Vector2& velocity);
 
 /// What j does to i, p_ij = p_j - p_i [m], v_ij = v_i - v_j [m/s]. Exactly ahead counts as left, so that both
-/// pass on their right; zero for coinciding places, where there is no direction.
+/// pass on their right; zero for coinciding positions, where there is no direction.
 Vector2 social_force(const SocialForceOptions& options, const Vector2& p_ij, const Vector2& v_ij);
 
 /// Push from the nearest wall point: obstacle_factor exp(-(d - radius) / sigma) along `from_wall` (wall to

@@ -24,7 +24,7 @@ inline std::string fault_of(const SpeedLimit& limit) {
 }
 
 /// The limits of the base under a limit without fault_of(): neither forward nor backward speed exceeds it;
-/// turning on the spot is no speed and stays. Nothing plans with less than 0.01 m/s, so that this is the
+/// rotating in place is no speed and stays. Nothing plans with less than 0.01 m/s, so that this is the
 /// smallest limit.
 inline Limits limited(Limits limits, const SpeedLimit& limit) {
   constexpr double kSmallest = 0.01;  // of `v_max` in limits.hpp

@@ -8,7 +8,7 @@
 namespace bw {
 namespace {
 
-// Seven intervals: 26 ms of a turn at 5.5 Hz, 14 ms at 10 Hz, about as often as odometry comes.
+// Seven intervals: 26 ms of a revolution at 5.5 Hz, 14 ms at 10 Hz, about as often as odometry comes.
 constexpr std::size_t kKnots = 8;
 
 struct Knot {
@@ -30,8 +30,9 @@ std::vector<Knot> known_knots(const LaserSweep& sweep, const PoseAtTime& X_FB_at
 }  // namespace
 
 // With the body velocity held, a point of the plane taken for a complex number has gone (e^(i theta) - 1) /
-// (i theta) of the straight way after a turn by theta; the quotient of two of these is what is left here.
-Pose2 on_the_way(const Pose2& a, const Pose2& b, double share) {
+// (i theta) of the straight path after a rotation by theta; the quotient of two of these is what is left
+// here.
+Pose2 pose_between(const Pose2& a, const Pose2& b, double share) {
   const Pose2 X_ab = inverse(a) * b;
   const double half = X_ab.theta / 2.0;
   const double gone = std::abs(half) < 1e-6 ? share : std::sin(share * half) / std::sin(half);
@@ -44,7 +45,7 @@ std::vector<Pose2> beam_poses(const LaserSweep& sweep, const Pose2& X_BL, const 
   const std::vector<Knot> known = known_knots(sweep, X_FB_at);
   if (known.size() < 2) return {};
   const auto between = [&](const Knot& a, const Knot& b, double beam) {
-    return on_the_way(a.X_FB, b.X_FB, (beam - a.at) / (b.at - a.at)) * X_BL;
+    return pose_between(a.X_FB, b.X_FB, (beam - a.at) / (b.at - a.at)) * X_BL;
   };
   std::vector<Pose2> poses;
   poses.reserve(sweep.ranges.size());

@@ -1,8 +1,8 @@
-// Where a scanner was while it took one sweep: a head that turns takes its beams one after the other, and
+// Where a scanner was while it took one sweep: a head that rotates takes its beams one after the other, and
 // meanwhile the robot moves.
 //
 // The robot's pose is asked for at a few instants, evenly from the first beam to the last (knots); between
-// two of them it moves with one body velocity, turn included.
+// two of them it moves with one body velocity, rotation included.
 #pragma once
 
 #include <functional>
@@ -16,9 +16,9 @@
 namespace bw {
 
 /// The pose on the way from `a` to `b` by one body velocity, which may have a part to the side, after `share`
-/// of the time: 0 is a, 1 is b; below 0 and above 1 the way goes on. A turn by pi or more between the two is
-/// taken the short way round.
-Pose2 on_the_way(const Pose2& a, const Pose2& b, double share);
+/// of the time: 0 is a, 1 is b; below 0 and above 1 the path goes on. A rotation by pi or more between the
+/// two is taken the short way round.
+Pose2 pose_between(const Pose2& a, const Pose2& b, double share);
 
 /// Of base_link in the frame that a sweep is wanted in; nothing when nobody knows.
 using PoseAtTime = std::function<std::optional<Pose2>(Time)>;

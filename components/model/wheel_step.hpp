@@ -17,19 +17,19 @@ struct WheelStep {
   int source = 0;
   Duration over;
   double distance = 0.0;                                 ///< forward [m]
-  double turn = 0.0;                                     ///< counter-clockwise [rad]
-  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< of (distance, turn); may be singular
+  double rotation = 0.0;                                 ///< counter-clockwise [rad]
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< of (distance, rotation); may be singular
   double separation = 0.0;  ///< of the wheels [m]; 0: not two wheels, or not known
-  /// Variance of the turn [rad^2] by which counts are rounded at either end; steps that adjoin share it, so
-  /// that it never adds up. Not in `covariance`. 0: counts are fine, or not known.
+  /// Variance of the rotation [rad^2] by which counts are rounded at either end; steps that adjoin share it,
+  /// so that it never adds up. Not in `covariance`. 0: counts are fine, or not known.
   double rounding = 0.0;
 };
 
 /// WheelStep::rounding of two wheels whose counts are `tick` [m] apart: tick^2 / 12 for each (uniform), over
 /// separation^2.
-double turn_rounding(double tick, double separation);
+double rotation_rounding(double tick, double separation);
 
-/// From the travel of each wheel [m] since the last step: distance = (R + L) / 2, turn = (R - L) /
+/// From the travel of each wheel [m] since the last step: distance = (R + L) / 2, rotation = (R - L) /
 /// separation; covariance from diag(k |R|, k |L|), k = variance_per_metre [m] (README.md 2.2).
 WheelStep step_from_wheels(Time time, Duration over, double left, double right, double separation,
                            double variance_per_metre);

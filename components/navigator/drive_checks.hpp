@@ -35,13 +35,13 @@ inline std::size_t stretch_end(const std::vector<Pose2>& path, const std::vector
   return via.empty() ? path.size() : nearest_pose(path, via.front().position(), path.size()) + 1;
 }
 
-/// Length [m] of `path` from the point of its stretch in hand nearest to `position` to its end, plus the way
-/// to that point.
+/// Length [m] of `path` from the point of its stretch in hand nearest to `position` to its end, plus the
+/// distance to that point.
 inline double remaining_length(const std::vector<Pose2>& path, const Vector2& position,
                                const std::vector<Pose2>& via = {}) {
   if (path.empty()) return 0.0;
   const std::size_t nearest = nearest_pose(path, position, stretch_end(path, via));
-  // Past the nearest point the way goes on to the next one directly.
+  // Past the nearest point the path goes on to the next one directly.
   const std::size_t from = nearest + 1 < path.size() ? nearest + 1 : nearest;
   double length = (path[from].position() - position).norm();
   for (std::size_t i = from + 1; i < path.size(); ++i) {
@@ -69,11 +69,11 @@ inline Duration time_remaining(double distance, const Twist2& twist) {
   return speed > kSlowest && distance > kShortest ? Duration::seconds(distance / speed) : Duration{};
 }
 
-/// How far the robot is beside the path, and how far it is turned from the path's direction, with Nav2's
+/// How far the robot is beside the path, and how far it is rotated from the path's direction, with Nav2's
 /// signs.
 struct TrackingError {
   double position = 0.0;  ///< left of it is positive [m]
-  double heading = 0.0;   ///< turned to the right of it is positive [rad]
+  double heading = 0.0;   ///< rotated to the right of it is positive [rad]
 };
 
 /// Of a robot at `X_MB` on the stretch in hand of a path that is not empty; a path of one pose has that

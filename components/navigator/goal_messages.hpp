@@ -115,7 +115,7 @@ struct GoalReport {
   std::optional<Pose2> X_MB;             ///< where the robot is
   Duration estimated_time_remaining;     ///< at the speed of now; 0 while the robot stands
   double position_tracking_error = 0.0;  ///< from the path in use, left of it positive [m]
-  double heading_tracking_error = 0.0;   ///< turned to the right of it positive [rad]
+  double heading_tracking_error = 0.0;   ///< rotated to the right of it positive [rad]
 };
 
 /// What the navigator wants sent, in this order.

@@ -27,7 +27,7 @@ struct NavigatorOptions {
   /// [m] a robot that moved less within movement_time makes no progress
   static constexpr double kRequiredMovement = 0.3;
   /// [rad] a turn within movement_time that is progress too
-  static constexpr double kRequiredTurn = 0.5;
+  static constexpr double kRequiredRotation = 0.5;
   double movement_time = 10.0;
   double blocked_patience = 5.0;
   double lost_patience = 10.0;
@@ -77,7 +77,7 @@ struct NavigatorOptions {
   }
 
   GoalTolerance tolerance() const { return {xy_tolerance, yaw_tolerance}; }
-  ProgressLimits progress() const { return {kRequiredMovement, kRequiredTurn, movement_time}; }
+  ProgressLimits progress() const { return {kRequiredMovement, kRequiredRotation, movement_time}; }
 
   std::optional<std::string> violated_rule() const {
     if (blocked_patience > movement_time) return "blocked_patience must not exceed movement_time";

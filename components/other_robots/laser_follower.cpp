@@ -26,7 +26,7 @@ struct Rim {
   Vector2 step{0.0, 0.0};
 };
 
-/// One step of Gauss-Newton, held to the place by a weak spring: along the rim a short arc says nothing.
+/// One step of Gauss-Newton, held to the position by a weak spring: along the rim a short arc says nothing.
 Rim look(const Vector2& centre, const std::vector<Vector2>& points, double radius, double gate) {
   constexpr double kSpring = 0.5;
   Eigen::Matrix2d H = kSpring * Eigen::Matrix2d::Identity();

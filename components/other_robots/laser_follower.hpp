@@ -2,8 +2,8 @@
 // it.
 //
 // Each sweep: the disc moves on with its velocity; the points near its rim say where it truly is (least
-// squares of their distances from the rim, Gauss-Newton); place and velocity follow by an alpha-beta filter.
-// It is lost when too little of its rim was seen for a while.
+// squares of their distances from the rim, Gauss-Newton); position and velocity follow by an alpha-beta
+// filter. It is lost when too little of its rim was seen for a while.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ struct FollowedDisc {
   Time time;
   Vector2 position{0.0, 0.0};  ///< in the frame of the points, one that does not jump
   Vector2 velocity{0.0, 0.0};
-  double deviation = 0.0;  ///< standard deviation of the place, each axis [m]
+  double deviation = 0.0;  ///< standard deviation of the position, each axis [m]
 };
 
 class LaserFollower {

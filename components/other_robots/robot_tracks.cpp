@@ -45,10 +45,11 @@ TrackedPerson robot_track(const Vector2& position, const Vector2& velocity, cons
   const int steps = static_cast<int>(std::floor(options.prediction_horizon / options.prediction_step + 1e-9));
   for (int i = 1; i <= steps; ++i) {
     const double t = i * options.prediction_step;
-    const double turn = options.acceleration * t * t / 2.0;
-    track.predictions.push_back({.time = t,
-                                 .position = position + velocity * t,
-                                 .covariance = covariance + turn * turn * Eigen::Matrix2d::Identity()});
+    const double deviation = options.acceleration * t * t / 2.0;
+    track.predictions.push_back(
+        {.time = t,
+         .position = position + velocity * t,
+         .covariance = covariance + deviation * deviation * Eigen::Matrix2d::Identity()});
   }
   return track;
 }

@@ -28,8 +28,8 @@ std::string fault_of(const RobotReport& report, Time now, const OtherRobotsOptio
 TrackedPerson robot_track(const RobotReport& report, const Pose2& X_FM, Time time, std::uint32_t id,
                           double radius, const OtherRobotsOptions& options);
 
-/// A robot whose place and velocity in the frame of the tracks are known, with its predictions. `covariance`:
-/// of (x, y) [m^2].
+/// A robot whose position and velocity in the frame of the tracks are known, with its predictions.
+/// `covariance`: of (x, y) [m^2].
 TrackedPerson robot_track(const Vector2& position, const Vector2& velocity, const Eigen::Matrix2d& covariance,
                           Time time, std::uint32_t id, double radius, const OtherRobotsOptions& options);
 

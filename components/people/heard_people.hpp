@@ -1,4 +1,4 @@
-// People whom somebody else sees, as people_msgs/People tells them: a name, a place and a velocity. They
+// People whom somebody else sees, as people_msgs/People tells them: a name, a position and a velocity. They
 // become people with ids and with covariances that nobody told.
 #pragma once
 

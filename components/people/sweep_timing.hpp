@@ -1,4 +1,4 @@
-// Detections of one sweep at one time: a scanner that turns sees who is to the left of the robot some 70 ms
+// Detections of one sweep at one time: a scanner that rotates sees who is to the left of the robot some 70 ms
 // before or after who is to the right, in which they walk 8 cm.
 #pragma once
 

@@ -23,7 +23,7 @@ void CourseListener::listen(Setup& setup) {
   course_->emplace(robot.outline(), robot.limits.v_max);
   (*course_)->set_limits(robot.limits);
   hear_goals(setup);
-  hear_place(setup);
+  hear_map(setup);
 }
 
 void CourseListener::on_truth(const bandwagon_msgs::msg::GroundTruth& truth) {
@@ -44,7 +44,7 @@ void CourseListener::hear_goals(Setup& setup) {
       Need::optional);
 }
 
-void CourseListener::hear_place(Setup& setup) {
+void CourseListener::hear_map(Setup& setup) {
   setup.input<nav_msgs::msg::OccupancyGrid>(
       topics_.map, Qos::latched(),
       [this](const auto& message, const Tick&) {

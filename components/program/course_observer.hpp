@@ -1,4 +1,4 @@
-// Listens to a drive and keeps what a figure of it needs: the true way, people, map and walls.
+// Listens to a drive and keeps what a figure of it needs: the true path, people, map and walls.
 #pragma once
 
 #include <cstdint>
@@ -38,7 +38,7 @@ class CourseListener {
 
  private:
   void hear_goals(Setup& setup);
-  void hear_place(Setup& setup);
+  void hear_map(Setup& setup);
 
   std::shared_ptr<std::optional<RunRecorder>> course_;
   CourseTopics topics_;

@@ -1,4 +1,4 @@
-// The run verb's own component: follows the score card and the true way of each robot, shows progress on one
+// The run verb's own component: follows the score card and the true path of each robot, shows progress on one
 // line, ends the run when the goals are decided.
 #pragma once
 

@@ -33,8 +33,8 @@ using bandwagon_msgs::msg::Tracks;
 using geometry_msgs::msg::PolygonStamped;
 using nav_msgs::msg::Odometry;
 
-constexpr double kTopSpeed = 1.0;                                 // only a picture's colours need it [m/s]
-constexpr Duration kForgetsPlace = Duration::milliseconds(1000);  // a claim is not judged by an older truth
+constexpr double kTopSpeed = 1.0;                                // only a picture's colours need it [m/s]
+constexpr Duration kForgetsPose = Duration::milliseconds(1000);  // a claim is not judged by an older truth
 constexpr double kMissedBeginning = 1.0;  // [s] of a drive that are not in the bag, and said
 constexpr Duration kForgetsPeople =
     Duration::milliseconds(500);  // tracks older than this are not people any more
@@ -128,7 +128,7 @@ class Scorer {
     now_ = m.log_time;
     if (m.topic == from_.truth)
       read<GroundTruth>(m, [&](const auto& message) { on_truth(to_truth(message)); });
-    if (m.topic == from_.map || m.topic == from_.true_map || m.topic == from_.shapes) hear_place(m);
+    if (m.topic == from_.map || m.topic == from_.true_map || m.topic == from_.shapes) hear_map(m);
     if (m.topic == from_.footprint)
       read<PolygonStamped>(m, [&](const auto& message) { on_footprint(message); });
     if (m.topic == from_.status) read<NavigationStatus>(m, [&](const auto& message) { on_status(message); });
@@ -149,7 +149,7 @@ class Scorer {
   }
 
   /// What stands about; of use beside the truth, which is in map too.
-  void hear_place(const bag::BagMessage& m) {
+  void hear_map(const bag::BagMessage& m) {
     if (!from_.truth) return;
     if (m.topic == from_.shapes) {
       read<bandwagon_msgs::msg::Obstacles>(
@@ -172,7 +172,7 @@ class Scorer {
     const GoalNews news = to_goal_news(message);
     if (!std::exchange(heard_status_, true) && !news.is_over) tell_of_missed_beginning(message);
     if (judge_.is_preempting(news)) end_unfinished(fmt::format("preempted by goal {}", news.goal_id));
-    if (now_ - sampled_at_ > kForgetsPlace || !is_in_frame_of(message)) judge_.lose_place();
+    if (now_ - sampled_at_ > kForgetsPose || !is_in_frame_of(message)) judge_.lose_pose();
     if (judge_.on_goal(news, now_)) keep();
   }
 
@@ -185,7 +185,7 @@ class Scorer {
           driven, message.goal_id()));
   }
 
-  /// A place in odom tells nothing of a goal in map. The truth is in map.
+  /// A position in odom tells nothing of a goal in map. The truth is in map.
   bool is_in_frame_of(const NavigationStatus& message) {
     const std::string& frame = message.header().frame_id();
     if (from_.truth || frame.empty() || belief_frame_.empty() || frame == belief_frame_) return true;

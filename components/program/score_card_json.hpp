@@ -30,8 +30,8 @@ struct RunFacts {
 const CallbackStatistics& planner_cycle(const std::vector<CallbackStatistics>& statistics,
                                         const std::string& component);
 
-/// The robot's true way in map as [[t, x, y, theta], ...]: t [s] since the drive began, places [m], heading
-/// [rad].
+/// The robot's true path in map as [[t, x, y, theta], ...]: t [s] since the drive began, positions [m],
+/// heading [rad].
 /// One point every 0.5 s, rounded to 1 ms, 1 mm and 1 mrad; what was before the drive is left out.
 nlohmann::json path_json(const std::vector<PathPoint>& path, const bandwagon_msgs::msg::ScoreCard& card);
 
@@ -43,7 +43,7 @@ nlohmann::json card_json(const bandwagon_msgs::msg::ScoreCard& card);
 nlohmann::json to_json(const std::optional<bandwagon_msgs::msg::ScoreCard>& card, const RunFacts& facts,
                        const std::vector<CallbackStatistics>& statistics);
 
-/// One of several robots: its card, its planner and its way.
+/// One of several robots: its card, its planner and its path.
 nlohmann::json robot_json(const RobotObservation& seen, const RunFacts& facts,
                           const std::vector<CallbackStatistics>& statistics);
 

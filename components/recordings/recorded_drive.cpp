@@ -60,7 +60,7 @@ Twist2 twist_between(const ReferencePose& from, const ReferencePose& to) {
   if (dt <= 0.0 || !from.heading || !to.heading) return {};
   const auto pose = [](const ReferencePose& r) { return Pose2{r.position.x(), r.position.y(), *r.heading}; };
   const ArcTravel arc = arc_between(pose(from), pose(to));
-  return {arc.distance / dt, arc.turn / dt};
+  return {arc.distance / dt, arc.rotation / dt};
 }
 
 std::vector<RecordedEvent> in_time_order(const RecordedDrive& drive) {

@@ -30,7 +30,7 @@ struct ImuSample {
 
 struct FixSample {
   Time time;
-  localization::Geodetic place;
+  localization::Geodetic position;
   Eigen::Vector3d variance{0.0, 0.0, 0.0};  ///< east, north, up [m^2]; 0: not declared
 };
 

@@ -3,7 +3,7 @@
 // makes it stand at once, also while it backs off: that is how a cliff behind, which no sensor sees, is
 // noticed. A base that stood when it was touched goes on standing.
 //
-// Backing off is straight, along the way it came, and measured by the wheels. It ends early enough that the
+// Backing off is straight, along the path it came, and measured by the wheels. It ends early enough that the
 // base stands within `distance`: v (t_lag + v / 2 a) before, t_lag = 0.05 s from the command until the wheels
 // slow down. What else is touched meanwhile makes it no longer. It is none of the planner's back-offs, and
 // stands below them: it sees no obstacle and asks no planner, since whoever drove into what was touched did
@@ -23,7 +23,7 @@ struct ContactOptions {
   bool back_off = true;
   double speed = 0.1;
   double distance = 0.15;
-  /// [s] it backs off this long at most, if wheels do not turn (set by code alone)
+  /// [s] it backs off this long at most, if wheels do not rotate (set by code alone)
   double time_limit = 3.0;
 
   template <class Visitor>
@@ -47,7 +47,7 @@ class ContactReaction {
   void touch(Time now, double travelled, const ContactReading& contacts, bool is_driving);
   /// Ends it: something else forbids to move.
   void end() { since_.reset(); }
-  /// Where the wheels shall turn; nothing when it does not back off.
+  /// Where the wheels shall rotate; nothing when it does not back off.
   std::optional<WheelSpeeds> step(Time now, double travelled, const ContactReading& contacts);
   bool is_backing_off() const { return since_.has_value(); }
 

@@ -56,7 +56,7 @@ class Driver {
   virtual ~Driver() = default;
   /// What came since the last call. Never blocks. Called every 10 ms, and after `wake`.
   virtual Readings poll(Time now) = 0;
-  /// Turns the wheels at these ground speeds [m/s] from `now` on; called every 10 ms, whether or not they
+  /// Rotates the wheels at these ground speeds [m/s] from `now` on; called every 10 ms, whether or not they
   /// changed. False when they cannot be told to the base now.
   virtual bool command(Time now, const WheelSpeeds& wheels) = 0;
   /// The command must be on its way before the process ends; the cable may be gone. Never blocks. Nobody

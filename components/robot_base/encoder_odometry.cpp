@@ -74,7 +74,7 @@ bool EncoderOdometry::possible(const EncoderCounts& from, const EncoderCounts& t
 
 void EncoderOdometry::restart_history(Time time) {
   const Travelled last = history_size_ > 0 ? history_[history_size_ - 1] : Travelled{};
-  history_[0] = {time, last.distance, last.turn};
+  history_[0] = {time, last.distance, last.rotation};
   history_size_ = 1;
 }
 
@@ -82,7 +82,7 @@ void EncoderOdometry::integrate(double ds_left, double ds_right) {
   const WheelStep step =
       step_from_wheels(state_.time, {}, ds_left, ds_right, separation_, options_.variance_per_metre);
   state_.pose_covariance = covariance_after(state_.X_OB, state_.pose_covariance, step);
-  state_.X_OB = advance_arc(state_.X_OB, step.distance, step.turn);
+  state_.X_OB = advance_arc(state_.X_OB, step.distance, step.rotation);
   state_.left_angle += ds_left / radii_.left;
   state_.right_angle += ds_right / radii_.right;
 
@@ -91,7 +91,7 @@ void EncoderOdometry::integrate(double ds_left, double ds_right) {
     --history_size_;
   }
   const Travelled& last = history_[history_size_ - 1];
-  history_[history_size_++] = {state_.time, last.distance + step.distance, last.turn + step.turn};
+  history_[history_size_++] = {state_.time, last.distance + step.distance, last.rotation + step.rotation};
 }
 
 void EncoderOdometry::measure_twist() {
@@ -101,7 +101,7 @@ void EncoderOdometry::measure_twist() {
   while (oldest > 0 && now.time - history_[oldest - 1].time <= window) --oldest;
   const Travelled& then = history_[oldest];
   const double seconds = (now.time - then.time).to_seconds();
-  state_.twist = {(now.distance - then.distance) / seconds, (now.turn - then.turn) / seconds};
+  state_.twist = {(now.distance - then.distance) / seconds, (now.rotation - then.rotation) / seconds};
 
   // Each wheel's travel over the window is known to a rounding at both ends (tick^2 / 12 each) and to its
   // slip.

@@ -109,11 +109,11 @@ class EncoderOdometry {
   std::optional<EncoderCounts> reference_;
   std::optional<EncoderCounts> suspect_;
 
-  /// Travel and turn up to a moment; the difference of two gives the mean twist between them.
+  /// Travel and rotation up to a moment; the difference of two gives the mean twist between them.
   struct Travelled {
     Time time;
     double distance = 0.0;
-    double turn = 0.0;
+    double rotation = 0.0;
   };
   static constexpr int kHistory = 64;
   Travelled history_[kHistory];

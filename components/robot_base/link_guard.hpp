@@ -35,7 +35,7 @@ class LinkGuard {
  public:
   explicit LinkGuard(const LinkOptions& options) : silence_(Duration::seconds(options.silence)) {}
 
-  /// What a poll of the driver told; `has_counts`: how the wheels turned was among it.
+  /// What a poll of the driver told; `has_counts`: how the wheels rotated was among it.
   void read(Time now, const LinkState& link, bool has_counts);
   /// Whether the last command got through.
   void told(Time now, bool is_through);

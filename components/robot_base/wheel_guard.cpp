@@ -28,7 +28,7 @@ void WheelGuard::commanded(Time now, const WheelSpeeds& wheels) {
 WheelVerdict WheelGuard::measured(Time stamp, const WheelTravel& travel) {
   const Time oldest = stamp - Duration::seconds(travel.seconds) - response_;
   while (commands_.size() > 1 && commands_[1].time <= oldest) commands_.pop_front();
-  const std::array<double, 2> ways = {travel.left, travel.right};
+  const std::array<double, 2> distances = {travel.left, travel.right};
   WheelVerdict verdict = WheelVerdict::sound;
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     double lowest = commands_.empty() ? 0.0 : commands_.front().wheels[i];
@@ -40,12 +40,12 @@ WheelVerdict WheelGuard::measured(Time stamp, const WheelTravel& travel) {
     }
     Side& side = sides_[i];
     if (!side.is_known) {
-      const double speed = ways[i] / travel.seconds;
+      const double speed = distances[i] / travel.seconds;
       side = {.is_known = true, .lo = std::min(lowest, speed), .hi = std::max(highest, speed)};
       continue;
     }
     follow(side, lowest, highest, travel.seconds);
-    if (is_off(side, ways[i], travel.seconds) && verdict == WheelVerdict::sound)
+    if (is_off(side, distances[i], travel.seconds) && verdict == WheelVerdict::sound)
       verdict = judge(side, kNames[i]);
   }
   if (verdict != WheelVerdict::sound) reset();
@@ -59,19 +59,19 @@ void WheelGuard::follow(Side& side, double lowest, double highest, double dt) co
   side.lo = std::min(lowest, side.lo + rise);
 }
 
-bool WheelGuard::is_off(Side& side, double way, double dt) const {
+bool WheelGuard::is_off(Side& side, double distance, double dt) const {
   const double fastest = std::max(std::abs(side.lo), std::abs(side.hi));
   const double margin = (options_.share * fastest + options_.tolerance) * dt;
-  side.below = std::max(0.0, side.below + side.lo * dt - way - margin);
-  side.above = std::max(0.0, side.above + way - side.hi * dt - margin);
+  side.below = std::max(0.0, side.below + side.lo * dt - distance - margin);
+  side.above = std::max(0.0, side.above + distance - side.hi * dt - margin);
   const bool is_suspect = side.below > 0.0 || side.above > 0.0;
   side.seconds = is_suspect ? side.seconds + dt : 0.0;
-  side.way = is_suspect ? side.way + way : 0.0;
+  side.distance = is_suspect ? side.distance + distance : 0.0;
   return side.below > limit_ || side.above > limit_;
 }
 
 WheelVerdict WheelGuard::judge(const Side& side, const char* name) {
-  const double speed = side.way / side.seconds;
+  const double speed = side.distance / side.seconds;
   const double told = side.below > limit_ ? side.lo : side.hi;
   // It stalls where it goes the way it is told, and less; a reading's coarseness is no other way.
   const double still = options_.tolerance + resolution_ / side.seconds;

@@ -13,7 +13,7 @@
 //   (slack + 2 ticks) / ((1 - share) |v| - tolerance)      and the age of a reading
 //
 // which for ticks of 0.1 mm is 62 ms at 0.17 m/s and 0.2 s at 0.07 m/s, for ticks of 3.3 mm 0.2 s at 0.12
-// m/s; one that is told to set off, `response` later. Slip is invisible here: wheels turn as told.
+// m/s; one that is told to set off, `response` later. Slip is invisible here: wheels rotate as told.
 #pragma once
 
 #include <array>
@@ -32,7 +32,7 @@ struct WheelGuardOptions {
   double share = 0.3;
   /// [m/s] and this much off, as when it is pushed by hand (set by code alone)
   double tolerance = 0.02;
-  /// [m] way that a wheel may be behind or ahead beyond that, and two encoder ticks (set by code alone)
+  /// [m] distance that a wheel may be behind or ahead beyond that, and two encoder ticks (set by code alone)
   double slack = 0.006;
 
   template <class Visitor>
@@ -55,7 +55,7 @@ class WheelGuard {
 
   /// What the driver was given at `now`; it holds until the next.
   void commanded(Time now, const WheelSpeeds& wheels);
-  /// The wheels turned so far until `stamp`.
+  /// The wheels rotated so far until `stamp`.
   WheelVerdict measured(Time stamp, const WheelTravel& travel);
   /// Forgets what it knows of the wheels: it looks anew from the next reading on, whatever they do then.
   void reset();
@@ -66,22 +66,22 @@ class WheelGuard {
   friend struct GuardState;  ///< of tests: what decides what it does next
   struct Side {
     bool is_known = false;
-    double lo = 0.0, hi = 0.0;        ///< [m/s]
-    double below = 0.0, above = 0.0;  ///< [m]
-    double seconds = 0.0, way = 0.0;  ///< since either sum left zero
+    double lo = 0.0, hi = 0.0;             ///< [m/s]
+    double below = 0.0, above = 0.0;       ///< [m]
+    double seconds = 0.0, distance = 0.0;  ///< since either sum left zero
   };
   struct Command {
     Time time;
     std::array<double, 2> wheels;
   };
   void follow(Side& side, double lowest, double highest, double dt) const;
-  bool is_off(Side& side, double way, double dt) const;
+  bool is_off(Side& side, double distance, double dt) const;
   WheelVerdict judge(const Side& side, const char* name);
 
   WheelGuardOptions options_;
   Duration response_;
   double acceleration_, deceleration_;
-  double resolution_;  ///< of a way between two readings [m]
+  double resolution_;  ///< of a distance between two readings [m]
   double limit_;       ///< [m]
   std::deque<Command> commands_;
   std::array<Side, 2> sides_;

@@ -13,7 +13,7 @@ namespace bw::safety {
 namespace {
 
 constexpr double kRestSpeed = 0.02;  // [m/s]: slower is at rest, and no speed worth driving
-constexpr double kTurning = 0.02;    // [rad/s]: the same of a turn
+constexpr double kRotating = 0.02;   // [rad/s]: the same of a rotation
 
 std::string_view cause_of(LaserState state) {
   if (state == LaserState::silent) return kLaserSilent;
@@ -125,9 +125,9 @@ CollisionMonitor::Ahead CollisionMonitor::ahead_at(Time now) const {
   return ahead;
 }
 
-/// Whether the robot, stopped a reaction time from now, closes in on nothing: neither on its present way, nor
-/// on that of `told`, nor where it turns as told already, but is not as fast yet: motor control bounds the
-/// jerk of its speed, and not that of its turn.
+/// Whether the robot, stopped a reaction time from now, closes in on nothing: neither on its present path,
+/// nor on that of `told`, nor where it rotates as told already, but is not as fast yet: motor control bounds
+/// the jerk of its speed, and not that of its rotation.
 bool CollisionMonitor::stops_in_time(const Verdict& told, const Ahead& ahead) const {
   const StopPath path{limits_, wheel_separation_, stopping_.reaction_time};
   const auto is_gentle = [&](const Told& what) {
@@ -157,23 +157,23 @@ CollisionMonitor::Bound CollisionMonitor::tightest(const Twist2& wanted, const A
   return bound;
 }
 
-/// Of a turn on the spot, what the stopping distance leaves.
-double CollisionMonitor::turn_share(double omega, const Ahead& ahead) const {
+/// Of a rotation in place, what the stopping distance leaves.
+double CollisionMonitor::rotation_share(double omega, const Ahead& ahead) const {
   if (!kept_free_.is_polygon() || omega == 0.0) return 1.0;
   return std::min(1.0, rule_speed({0.0, omega}, ahead, std::abs(omega)) / std::abs(omega));
 }
 
-/// `wanted` at `speed` on the same path; at rest it may turn on the spot.
+/// `wanted` at `speed` on the same path; at rest it may rotate in place.
 Twist2 CollisionMonitor::shrink(const Twist2& wanted, double speed, const Ahead& ahead) const {
   if (speed < kRestSpeed) speed = 0.0;
   if (speed == 0.0 && std::abs(twist_.v) < kRestSpeed && wanted.omega != 0.0)
-    return judge_turn({0.0, wanted.omega}, ahead).allowed;
+    return judge_rotation({0.0, wanted.omega}, ahead).allowed;
   const double share = speed / std::abs(wanted.v);
   return {wanted.v * share, wanted.omega * share};
 }
 
-/// Of a turn on the spot.
-Verdict CollisionMonitor::judge_turn(const Twist2& wanted, const Ahead& ahead) const {
+/// Of a rotation in place.
+Verdict CollisionMonitor::judge_rotation(const Twist2& wanted, const Ahead& ahead) const {
   Verdict verdict{wanted, Action::do_nothing, ""};
   const auto consider = [&](double share, Action action, std::string_view cause) {
     if (std::abs(share * wanted.omega) < std::abs(verdict.allowed.omega))
@@ -181,11 +181,11 @@ Verdict CollisionMonitor::judge_turn(const Twist2& wanted, const Ahead& ahead) c
   };
   for (const Zone& zone : zones_)
     consider(zone.share_left(wanted, ahead.points), zone.options().action_type, zone.options().name);
-  consider(turn_share(wanted.omega, ahead), Action::approach, kStoppingDistance);
+  consider(rotation_share(wanted.omega, ahead), Action::approach, kStoppingDistance);
   consider(swing_share(wanted, ahead), Action::limit, kSight);
   // What it does now must fit as well.
-  if (std::abs(twist_.omega) > std::abs(verdict.allowed.omega) + kTurning &&
-      turn_share(twist_.omega, ahead) < 1.0)
+  if (std::abs(twist_.omega) > std::abs(verdict.allowed.omega) + kRotating &&
+      rotation_share(twist_.omega, ahead) < 1.0)
     return {verdict.allowed, Action::approach, kStoppingDistance};
   return verdict;
 }
@@ -213,7 +213,7 @@ Verdict CollisionMonitor::judge_command(Time now, const Twist2& wanted, const Ah
       return verdict;
     }
   } else {
-    verdict = judge_turn(wanted, ahead);
+    verdict = judge_rotation(wanted, ahead);
   }
   // The command asks for less than the robot still does: what it does now must fit as well, or it brakes
   // hard.

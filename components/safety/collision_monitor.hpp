@@ -1,9 +1,9 @@
 // The last look before the wheels: passes a wanted velocity on only as far as the laser shows room for it.
 // Knows no map, no plan, no people and no place, so that none of them can be wrong.
 //
-//   speed   the stop, reaction included, plus `margin` must end inside the free way of the robot's footprint
-//           along the wanted arc (free_way.hpp, footprint_way.hpp); v and omega shrink together, so the path
-//           stays
+//   speed   the stop, reaction included, plus `margin` must end inside the free distance of the robot's
+//           footprint along the wanted arc (free_distance.hpp, footprint_touch.hpp); v and omega shrink
+//           together, so the path stays
 //   stop    what it does now and what it is told to do, a reaction later stopped, closes in on nothing (stop_path.hpp)
 //   graze   what the side of the robot would touch by less than `graze` is passed at graze_speed
 //   body    around narrow things (legs) the robot is down to narrow_speed narrow_margin earlier
@@ -12,7 +12,7 @@
 //   zones   of nav2_collision_monitor (zone.hpp)
 //   laser   silent, frozen, unsound or too old for source_timeout: a stop
 //
-// Turning on the spot is always free for a disc; a polygon's sides come round, and are judged as on any arc.
+// Rotating in place is always free for a disc; a polygon's sides come round, and are judged as on any arc.
 // A motion that leads away from what is too near is free.
 #pragma once
 
@@ -26,7 +26,7 @@
 #include "components/safety/action.hpp"
 #include "components/safety/collision_monitor_options.hpp"
 #include "components/safety/empty_sight.hpp"
-#include "components/safety/free_way.hpp"
+#include "components/safety/free_distance.hpp"
 #include "components/safety/limit_hold.hpp"
 #include "components/safety/pose_history.hpp"
 #include "components/safety/sweep.hpp"
@@ -130,8 +130,8 @@ class CollisionMonitor {
   bool stops_in_time(const Verdict& told, const Ahead& ahead) const;
   Verdict judge_command(Time now, const Twist2& wanted, const Ahead& ahead);
   Twist2 shrink(const Twist2& wanted, double speed, const Ahead& ahead) const;
-  double turn_share(double omega, const Ahead& ahead) const;
-  Verdict judge_turn(const Twist2& wanted, const Ahead& ahead) const;
+  double rotation_share(double omega, const Ahead& ahead) const;
+  Verdict judge_rotation(const Twist2& wanted, const Ahead& ahead) const;
 
   Time newest_;  ///< of all that came, on a clock that has not gone back since
   Limits limits_;

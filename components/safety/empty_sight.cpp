@@ -13,7 +13,7 @@ namespace {
 // From one sweep to the next (0.1 s, of slow lasers 0.2 s) a thing that is met at 3 m/s gets no farther away
 // than this,
 constexpr double kFarther = 1.0;  // [m]
-// and at half a metre, walking aside past a robot that turns, no farther round.
+// and at half a metre, walking aside past a robot that rotates, no farther round.
 constexpr double kRound = 0.3;  // [rad]
 // So many points are a wall, a pillar, or a person nearer than 4 m (two legs of 0.14 m, beams 0.4 degrees
 // apart). Who is farther away may be hidden by a leg, or missed.
@@ -26,7 +26,7 @@ constexpr double kSame = 0.1;          // [m]
 constexpr std::ptrdiff_t kBeside = 2;  // beams
 // Fewer that are lost may be of a thing that is hit now and then.
 constexpr Duration kForgets = Duration::milliseconds(5'000);
-constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 /// The beams of one sweep by their directions in the laser's frame.
 class Field {
@@ -37,19 +37,19 @@ class Field {
         step_(sweep.angle_increment),
         size_(static_cast<std::ptrdiff_t>(sweep.ranges.size())),
         X_LO_(inverse(X_OB * sweep.X_FL)),
-        has_edges_(std::abs(width()) < kTurn - kRound) {}
+        has_edges_(std::abs(width()) < kTwoPi - kRound) {}
 
-  /// The beam that looks at a place of odom which a sound laser sees in its next sweep too, wherever it
+  /// The beam that looks at a position of odom which a sound laser sees in its next sweep too, wherever it
   /// moves; none where it may not.
-  std::optional<std::size_t> lasting(const Vector2& place) const {
-    const Vector2 p_L = X_LO_ * place;
+  std::optional<std::size_t> lasting(const Vector2& position) const {
+    const Vector2 p_L = X_LO_ * position;
     const double off = wrap_angle(std::atan2(p_L.y(), p_L.x()) - first_ - 0.5 * width());
     const bool is_within = !has_edges_ || std::abs(off) < 0.5 * std::abs(width()) - kRound;
     if (p_L.norm() >= range_max_ - kFarther || !is_within) return std::nullopt;
     const auto beam = std::lround(0.5 * static_cast<double>(size_ - 1) + off / step_);
     return static_cast<std::size_t>(wrapped(beam));
   }
-  double distance(const Vector2& place) const { return (X_LO_ * place).norm(); }
+  double distance(const Vector2& position) const { return (X_LO_ * position).norm(); }
   /// The beam `offset` beams beside one; none beyond the edges.
   std::optional<std::size_t> beside(std::size_t beam, std::ptrdiff_t offset) const {
     const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(beam) + offset;
@@ -91,36 +91,37 @@ class Field {
 
 }  // namespace
 
-/// What one sweep says of the places that were seen before.
+/// What one sweep says of the positions that were seen before.
 class EmptySight::Memory {
  public:
   Memory(const LaserSweep& sweep, const Pose2& X_OB, const CheckedSweep& checked)
       : sweep_(sweep), X_OB_(X_OB), checked_(checked), field_(sweep, X_OB) {}
 
-  /// Keeps of `places` what is seen again, and what is lost; adds what is seen anew.
-  void follow(std::vector<Place>& places) const {
+  /// Keeps of `points` what is seen again, and what is lost; adds what is seen anew.
+  void follow(std::vector<TrackedPoint>& points) const {
     const std::vector<std::size_t> hits_around = count([&](std::size_t i) { return is_hit(i); });
-    std::erase_if(places, [&](Place& place) { return !keeps(place, hits_around); });
-    const std::vector<Place> seen = anew(places);
-    places.insert(places.end(), seen.begin(), seen.end());
-    const auto moved = around(
-        places, [&](const Place& place) { return !place.lost_at && sweep_.time - place.since < kStands; });
-    const auto is_new = [&](const Place& place) { return place.lost_at == sweep_.time; };
-    const auto vanished = around(places, is_new, 0.5 * kRound);  // what was there went up to kRound aside
-    const auto has_moved = [&](const Place& place) {
-      return is_new(place) && moved[place.beam] >= vanished[place.beam];
+    std::erase_if(points, [&](TrackedPoint& point) { return !keeps(point, hits_around); });
+    const std::vector<TrackedPoint> seen = anew(points);
+    points.insert(points.end(), seen.begin(), seen.end());
+    const auto moved = around(points, [&](const TrackedPoint& point) {
+      return !point.lost_at && sweep_.time - point.since < kStands;
+    });
+    const auto is_new = [&](const TrackedPoint& point) { return point.lost_at == sweep_.time; };
+    const auto vanished = around(points, is_new, 0.5 * kRound);  // what was there went up to kRound aside
+    const auto has_moved = [&](const TrackedPoint& point) {
+      return is_new(point) && moved[point.beam] >= vanished[point.beam];
     };
-    std::erase_if(places, has_moved);
-    const std::vector<bool> gone = is_gone(places);
-    for (Place& place : places)
-      if (place.lost_at && gone[place.beam]) place.is_missed = true;
-    std::erase_if(places, [&](const Place& place) {
-      return place.lost_at && !gone[place.beam] && sweep_.time - *place.lost_at > kForgets;
+    std::erase_if(points, has_moved);
+    const std::vector<bool> gone = is_gone(points);
+    for (TrackedPoint& point : points)
+      if (point.lost_at && gone[point.beam]) point.is_missed = true;
+    std::erase_if(points, [&](const TrackedPoint& point) {
+      return point.lost_at && !gone[point.beam] && sweep_.time - *point.lost_at > kForgets;
     });
   }
   /// Which free beams look at what is lost.
-  std::vector<bool> dark(const std::vector<Place>& places) const {
-    std::vector<bool> dark = is_gone(places);
+  std::vector<bool> dark(const std::vector<TrackedPoint>& points) const {
+    std::vector<bool> dark = is_gone(points);
     for (std::size_t i = 0; i < beams(); ++i) dark[i] = dark[i] && checked_.beams[i] == BeamKind::free;
     return dark;
   }
@@ -135,66 +136,67 @@ class EmptySight::Memory {
     return field_.around(of);
   }
   template <class Counts>
-  std::vector<std::size_t> around(const std::vector<Place>& places, Counts counts,
+  std::vector<std::size_t> around(const std::vector<TrackedPoint>& points, Counts counts,
                                   double angle = kRound) const {
     std::vector<std::size_t> of(beams(), 0);
-    for (const Place& place : places)
-      if (counts(place)) ++of[place.beam];
+    for (const TrackedPoint& point : points)
+      if (counts(point)) ++of[point.beam];
     return field_.around(of, angle);
   }
 
   /// By beams, whether so much is lost around that something was there.
-  std::vector<bool> is_gone(const std::vector<Place>& places) const {
-    const auto lost = around(places, [](const Place& place) { return place.lost_at.has_value(); });
-    const auto stood = around(
-        places, [](const Place& place) { return place.lost_at && *place.lost_at - place.since >= kStands; });
+  std::vector<bool> is_gone(const std::vector<TrackedPoint>& points) const {
+    const auto lost = around(points, [](const TrackedPoint& point) { return point.lost_at.has_value(); });
+    const auto stood = around(points, [](const TrackedPoint& point) {
+      return point.lost_at && *point.lost_at - point.since >= kStands;
+    });
     // What is missed lies farther apart the nearer it is.
-    const auto missed = around(places, [](const Place& place) { return place.is_missed; });
+    const auto missed = around(points, [](const TrackedPoint& point) { return point.is_missed; });
     std::vector<bool> gone(beams(), false);
     for (std::size_t i = 0; i < beams(); ++i)
       gone[i] = missed[i] > 0 || lost[i] >= kCannotVanish || stood[i] >= kSeenStanding;
     return gone;
   }
 
-  bool keeps(Place& place, const std::vector<std::size_t>& hits_around) const {
-    const auto beam = field_.lasting(place.position);
+  bool keeps(TrackedPoint& point, const std::vector<std::size_t>& hits_around) const {
+    const auto beam = field_.lasting(point.position);
     if (!beam) return false;
-    place.beam = *beam;
+    point.beam = *beam;
     bool is_another = false;
     for (std::ptrdiff_t offset = -kBeside; offset <= kBeside; ++offset) {
       const auto near = field_.beside(*beam, offset);
       if (!near || !is_hit(*near)) continue;
       is_another = true;
-      if (std::abs(sweep_.ranges[*near] - field_.distance(place.position)) > kSame) continue;
-      if (place.lost_at) place = {place.position, *beam, sweep_.time, {}, false};  // of another thing, maybe
+      if (std::abs(sweep_.ranges[*near] - field_.distance(point.position)) > kSame) continue;
+      if (point.lost_at) point = {point.position, *beam, sweep_.time, {}, false};  // of another thing, maybe
       return true;
     }
     if (is_another) return false;
     if (checked_.beams[*beam] != BeamKind::free) return true;
-    const bool stands = sweep_.time - place.since >= kStands;
-    if (!place.lost_at && !stands && hits_around[*beam] > 0) return false;
-    if (!place.lost_at) place.lost_at = sweep_.time;
+    const bool stands = sweep_.time - point.since >= kStands;
+    if (!point.lost_at && !stands && hits_around[*beam] > 0) return false;
+    if (!point.lost_at) point.lost_at = sweep_.time;
     return true;
   }
 
-  /// Of beams that no place tells of; one right beside a place is of the same thing.
-  std::vector<Place> anew(const std::vector<Place>& places) const {
+  /// Of beams that no point tells of; one right beside a point is of the same thing.
+  std::vector<TrackedPoint> anew(const std::vector<TrackedPoint>& points) const {
     std::vector<std::optional<Time>> since(beams());
-    for (const Place& place : places) {
-      if (place.lost_at) continue;
-      std::optional<Time>& oldest = since[place.beam];
-      oldest = std::min(oldest.value_or(place.since), place.since);
+    for (const TrackedPoint& point : points) {
+      if (point.lost_at) continue;
+      std::optional<Time>& oldest = since[point.beam];
+      oldest = std::min(oldest.value_or(point.since), point.since);
     }
-    std::vector<Place> seen;
+    std::vector<TrackedPoint> seen;
     for (const SeenPoint& point : checked_.points) {
       const Vector2 position = X_OB_ * point.position;
       const auto beam = field_.lasting(position);
       if (!beam || since[*beam]) continue;
-      Place place{position, *beam, sweep_.time, {}, false};
+      TrackedPoint fresh{position, *beam, sweep_.time, {}, false};
       for (const std::ptrdiff_t offset : {-1, 1})
         if (const auto near = field_.beside(*beam, offset); near && since[*near])
-          place.since = std::min(place.since, *since[*near]);
-      seen.push_back(place);
+          fresh.since = std::min(fresh.since, *since[*near]);
+      seen.push_back(fresh);
     }
     return seen;
   }
@@ -207,12 +209,12 @@ class EmptySight::Memory {
 
 bool EmptySight::believes(const LaserSweep& sweep, const Pose2& X_OB, CheckedSweep& checked) {
   const auto hits = std::ranges::count(checked.beams, BeamKind::hit);
-  if (hits < min_returns_ && places_.size() >= kCannotVanish) return false;
+  if (hits < min_returns_ && points_.size() >= kCannotVanish) return false;
   has_seen_ = has_seen_ || !checked.points.empty();
   if (min_returns_ == 0) return true;
   const Memory memory(sweep, X_OB, checked);
-  memory.follow(places_);
-  checked.dark = memory.dark(places_);
+  memory.follow(points_);
+  checked.dark = memory.dark(points_);
   return true;
 }
 

@@ -6,10 +6,10 @@
 // returns there, one that hits nothing is a fault, and stays one until something is hit again or somebody
 // says that the place is open. A laser that has seen nothing yet is believed.
 //
-// Of a part of the field the same, place by place: one that was hit for half a second at the same spot
+// Of a part of the field the same, point by point: one that was hit for half a second at the same spot
 // stands, and may be hidden, but not gone, however slowly a cover grows; one that was not may have walked up
 // to 0.3 rad aside. As many as appear anew within 0.3 rad are those that moved. Where more are gone, free
-// beams are dark, until something is hit there again, or the place has left the middle of the field or its
+// beams are dark, until something is hit there again, or the point has left the middle of the field or its
 // range.
 #pragma once
 
@@ -33,14 +33,14 @@ class EmptySight {
   /// Else the free beams of `checked` that cannot be believed are dark.
   bool believes(const LaserSweep& sweep, const Pose2& X_OB, CheckedSweep& checked);
   /// What was seen counts no more: the next empty sweep is believed.
-  void forget() { places_.clear(); }
+  void forget() { points_.clear(); }
   /// Whether any sweep had returns.
   bool has_seen() const { return has_seen_; }
 
  private:
   std::int64_t min_returns_;
   /// Of a point that the next sweep must still show.
-  struct Place {
+  struct TrackedPoint {
     Vector2 position{0.0, 0.0};   ///< in odom
     std::size_t beam = 0;         ///< of the newest sweep, that looks there
     Time since;                   ///< hit there
@@ -49,7 +49,7 @@ class EmptySight {
   };
   class Memory;
 
-  std::vector<Place> places_;
+  std::vector<TrackedPoint> points_;
   bool has_seen_ = false;
 };
 

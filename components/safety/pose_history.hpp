@@ -29,7 +29,7 @@ class PoseHistory {
     if (after != poses_.begin() && after != poses_.end()) {
       const Entry& before = *(after - 1);
       const double share = (time - before.time).to_seconds() / (after->time - before.time).to_seconds();
-      return on_the_way(before.X_OB, after->X_OB, share);
+      return pose_between(before.X_OB, after->X_OB, share);
     }
     const Entry& nearest = after == poses_.end() ? poses_.back() : poses_.front();
     return advance_exact(nearest.X_OB, nearest.twist,

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "components/model/footprint_outline.hpp"
-#include "components/model/footprint_way.hpp"
+#include "components/model/footprint_touch.hpp"
 #include "components/model/stopping.hpp"
 #include "components/safety/collision_monitor.hpp"
 
@@ -27,73 +27,73 @@ bool covers(const std::vector<Vector2>& corners, const Vector2& p) {
 
 }  // namespace
 
-/// What a stop on the arc of `along` costs: of a turn on the spot [rad/s^2].
+/// What a stop on the arc of `along` costs: of a rotation in place [rad/s^2].
 Stopping CollisionMonitor::stopping_on(const Twist2& along) const {
   const Twist2 braking = braking_of(along, stopping_.deceleration, wheel_separation_);
   return {stopping_.reaction_time, along.v != 0.0 ? braking.v : braking.omega, stopping_.approach_speed};
 }
 
-/// Speed along the arc of `along` that the stopping distance allows; of a turn on the spot the turn rate.
+/// Speed along the arc of `along` that the stopping distance allows; of a rotation in place the turn rate.
 /// From `enough` on any number that is as large will do.
 double CollisionMonitor::rule_speed(const Twist2& along, const Ahead& ahead, double enough) const {
   Ahead near{{}, ahead.nearer, ahead.X_seen_now};
   const Stopping stopping = stopping_on(along);
-  const double way = enough * (stopping.reaction_time + 0.5 * enough / stopping.deceleration);
+  const double travel = enough * (stopping.reaction_time + 0.5 * enough / stopping.deceleration);
   const double kept = kept_free_.radius + options_.stopping.margin + ahead.nearer +
                       stopping.approach_speed * (stopping.reaction_time + enough / stopping.deceleration);
   for (const SeenPoint& point : ahead.points) {
     // The side that touches it comes from within the radius, and its lever is no longer than this.
     const double distance = point.position.norm();
     const double lever = along.v != 0.0 ? 1.0 + distance * std::abs(along.omega / along.v) : distance;
-    if (distance < kept + lever * way) near.points.push_back(point);
+    if (distance < kept + lever * travel) near.points.push_back(point);
   }
   return kept_free_.is_polygon() ? polygon_speed(along, near) : disc_speed(along, near);
 }
 
-/// Each point on its own: the side that touches it goes its own way, `lever` times that of base_link.
+/// Each point on its own: the side that touches it travels its own distance, `lever` times that of base_link.
 double CollisionMonitor::polygon_speed(const Twist2& along, const Ahead& ahead) const {
   const StoppingOptions& rule = options_.stopping;
   const Stopping on_arc = stopping_on(along);
   double speed = std::numeric_limits<double>::infinity();
   for (const SeenPoint& point : ahead.points) {
     const TouchOnArc touch = first_touch(along, kept_free_.polygon, point.position);
-    if (std::isinf(touch.way)) continue;
-    const bool is_deep = std::isfinite(first_touch(along, core_.polygon, point.position).way);
+    if (std::isinf(touch.distance)) continue;
+    const bool is_deep = std::isfinite(first_touch(along, core_.polygon, point.position).distance);
     const double lever = std::max(touch.lever, kShortestLever);
     const Stopping stopping{on_arc.reaction_time, on_arc.deceleration, stopping_.approach_speed / lever};
-    const double way = touch.way - (rule.margin + ahead.nearer) / lever;
+    const double distance = touch.distance - (rule.margin + ahead.nearer) / lever;
     const double end_speed =
         is_deep ? 0.0 : rule.graze_speed / (along.v != 0.0 ? std::max(1.0, lever) : lever);
-    speed = std::min(speed, speed_within(way, stopping, end_speed));
+    speed = std::min(speed, speed_within(distance, stopping, end_speed));
   }
   return speed;
 }
 
 double CollisionMonitor::disc_speed(const Twist2& along, const Ahead& ahead) const {
   const StoppingOptions& rule = options_.stopping;
-  double way = std::numeric_limits<double>::infinity();
-  double deep_way = way;
+  double distance = std::numeric_limits<double>::infinity();
+  double deep_distance = distance;
   for (const SeenPoint& point : ahead.points) {
-    const double touch = free_way(along, kept_free_.radius, point.position);
-    way = std::min(way, touch);
-    if (std::isfinite(free_way(along, kept_free_.radius - rule.kGraze, point.position)))
-      deep_way = std::min(deep_way, touch);
+    const double touch = free_distance(along, kept_free_.radius, point.position);
+    distance = std::min(distance, touch);
+    if (std::isfinite(free_distance(along, kept_free_.radius - rule.kGraze, point.position)))
+      deep_distance = std::min(deep_distance, touch);
   }
   const double kept = rule.margin + ahead.nearer;
   const Stopping stopping = stopping_on(along);
-  return std::min(speed_within(deep_way - kept, stopping),
-                  speed_within(way - kept, stopping, rule.graze_speed));
+  return std::min(speed_within(deep_distance - kept, stopping),
+                  speed_within(distance - kept, stopping, rule.graze_speed));
 }
 
 /// The same for narrow things and the bodies that may be above them.
 double CollisionMonitor::narrow_speed(const Twist2& along, const Ahead& ahead) const {
   const StoppingOptions& rule = options_.stopping;
-  double way = std::numeric_limits<double>::infinity();
+  double distance = std::numeric_limits<double>::infinity();
   for (const SeenPoint& point : ahead.points) {
     if (!point.is_narrow) continue;
-    way = std::min(way, free_way_to_walker(along, wide_, point.position));
+    distance = std::min(distance, free_distance_to_walker(along, wide_, point.position));
   }
-  return speed_within(way - ahead.nearer, stopping_on(along), rule.kNarrowSpeed);
+  return speed_within(distance - ahead.nearer, stopping_on(along), rule.kNarrowSpeed);
 }
 
 double CollisionMonitor::dark() const {
@@ -111,8 +111,8 @@ double CollisionMonitor::sight_speed(double v, const Ahead& ahead) const {
   return is_seen ? std::numeric_limits<double>::infinity() : options.creep_speed;
 }
 
-/// Of a motion that is mostly a turn: a polygon's sides swing through places that must be seen, as far as
-/// they get before they stand.
+/// Of a motion that is mostly a rotation: a polygon's sides swing through positions that must be seen, as far
+/// as they get before they stand.
 /// Else the outermost point of the outline moves at creep_speed.
 double CollisionMonitor::swing_share(const Twist2& wanted, const Ahead& ahead) const {
   const double rim = kept_free_.radius * std::abs(wanted.omega);
@@ -132,8 +132,8 @@ double CollisionMonitor::swing_share(const Twist2& wanted, const Ahead& ahead) c
       const Vector2 rim_point = corners[i] + side * (static_cast<double>(part) / parts);
       if (rim_point.norm() <= inner) continue;
       for (const double share : {0.25, 0.5, 0.75, 1.0}) {
-        const Vector2 place = rotate({0.0, 0.0, std::copysign(share * angle, wanted.omega)}, rim_point);
-        if (!covers(corners, place) && !sees(seen_, ahead.X_seen_now * place))
+        const Vector2 swept = rotate({0.0, 0.0, std::copysign(share * angle, wanted.omega)}, rim_point);
+        if (!covers(corners, swept) && !sees(seen_, ahead.X_seen_now * swept))
           return options_.sight.creep_speed / fastest;
       }
     }

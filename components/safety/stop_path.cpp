@@ -67,8 +67,9 @@ double closing_speed(const StopPath& path, const Footprint& footprint, const Twi
                      const std::vector<SeenPoint>& points) {
   // The outline stays within its radius around base_link, which goes no farther than this.
   const double fastest = std::max(std::abs(now.v), std::abs(told.command.v));
-  const double turn = std::max(std::abs(now.omega), std::abs(told.command.omega));
-  const double braking_time = (fastest + 0.5 * path.wheel_separation * turn) / path.limits.stop_deceleration;
+  const double turn_rate = std::max(std::abs(now.omega), std::abs(told.command.omega));
+  const double braking_time =
+      (fastest + 0.5 * path.wheel_separation * turn_rate) / path.limits.stop_deceleration;
   const double longest = path.reaction_time + braking_time + 2.0 * kStep;
   const double reach = footprint.radius + fastest * (longest - 0.5 * braking_time);
   std::vector<Vector2> near;

@@ -1,9 +1,9 @@
-// The way that a robot still goes when it is stopped: a last look at what is about to be commanded, whatever
-// was driven before.
+// The path that a robot still drives when it is stopped: a last look at what is about to be commanded,
+// whatever was driven before.
 //
-// free_way.hpp judges the arc of the command. A robot that is on another arc is on neither for a while. Here
-// both ends of what may happen are followed step by step: that it goes on as it does for the reaction time,
-// or that it takes the command meanwhile; and then brakes to rest (components/model/stopping.hpp).
+// free_distance.hpp judges the arc of the command. A robot that is on another arc is on neither for a while.
+// Here both ends of what may happen are followed step by step: that it goes on as it does for the reaction
+// time, or that it takes the command meanwhile; and then brakes to rest (components/model/stopping.hpp).
 #pragma once
 
 #include <vector>

@@ -121,7 +121,8 @@ Sight sight_of(const CheckedSweep& sweep, double bearing, double half_angle) {
   const std::size_t n = sweep.beams.size();
   const auto looks = [&](double angle) { return std::abs(wrap_angle(angle - bearing)) <= half_angle; };
   const auto angle_of = [&](double beam) { return sweep.angle_min + beam * sweep.angle_increment; };
-  // Nobody looks from the last beam on to the first: little or nothing of a turn, much of a narrower field.
+  // Nobody looks from the last beam on to the first: little or nothing of a revolution, much of a narrower
+  // field.
   const double missing = std::max(0.0, 2.0 * std::numbers::pi - static_cast<double>(n) * step);
   const bool is_missing =
       looks(angle_of(static_cast<double>(n) - 0.5) + 0.5 * std::copysign(missing, sweep.angle_increment));
@@ -149,12 +150,12 @@ Sight sight_of(const CheckedSweep& sweep, double bearing, double half_angle) {
   return sight;
 }
 
-bool sees(const CheckedSweep& sweep, const Vector2& place) {
-  const Vector2 way = place - sweep.laser;
-  const double turn = 2.0 * std::numbers::pi;
-  double off = std::fmod((std::atan2(way.y(), way.x()) - sweep.angle_min) / sweep.angle_increment,
-                         turn / std::abs(sweep.angle_increment));
-  if (off < 0.0) off += turn / std::abs(sweep.angle_increment);
+bool sees(const CheckedSweep& sweep, const Vector2& position) {
+  const Vector2 offset = position - sweep.laser;
+  const double revolution = 2.0 * std::numbers::pi;
+  double off = std::fmod((std::atan2(offset.y(), offset.x()) - sweep.angle_min) / sweep.angle_increment,
+                         revolution / std::abs(sweep.angle_increment));
+  if (off < 0.0) off += revolution / std::abs(sweep.angle_increment);
   const auto nearest = static_cast<std::ptrdiff_t>(std::lround(off));
   for (std::ptrdiff_t beam = nearest - 1; beam <= nearest + 1; ++beam) {
     if (beam >= 0 && beam < std::ssize(sweep.beams) && says_something(sweep, static_cast<std::size_t>(beam)))

@@ -35,11 +35,11 @@ struct Sight {
   double widest_gap = 0.0;  ///< widest run of directions there of which no beam says anything [rad]
 };
 
-/// Sector of `half_angle` [rad] to either side of `bearing` [rad, base_link]. The laser's place on the robot
-/// is neglected.
+/// Sector of `half_angle` [rad] to either side of `bearing` [rad, base_link]. The laser's position on the
+/// robot is neglected.
 Sight sight_of(const CheckedSweep& sweep, double bearing, double half_angle);
 
-/// Whether a beam towards `place` (base_link of the sweep), or one beside it, says anything.
-bool sees(const CheckedSweep& sweep, const Vector2& place);
+/// Whether a beam towards `position` (base_link of the sweep), or one beside it, says anything.
+bool sees(const CheckedSweep& sweep, const Vector2& position);
 
 }  // namespace bw::safety

@@ -7,8 +7,8 @@ namespace bw::safety {
 namespace {
 
 // Farther than this a laser that works sees other ranges.
-constexpr double kMoved = 0.01;   // [m]
-constexpr double kTurned = 0.01;  // [rad]
+constexpr double kMoved = 0.01;    // [m]
+constexpr double kRotated = 0.01;  // [rad]
 
 bool have_equal_bytes(std::span<const float> a, std::span<const float> b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
@@ -28,7 +28,7 @@ bool SweepWatch::add(Time now, Time measured_at, std::span<const float> ranges, 
   bool sees_something = false;
   for (const float range : ranges) sees_something = sees_something || std::isfinite(range);
   const Pose2 moved = inverse(X_OB_) * X_OB;
-  const bool has_moved = std::hypot(moved.x, moved.y) > kMoved || std::abs(moved.theta) > kTurned;
+  const bool has_moved = std::hypot(moved.x, moved.y) > kMoved || std::abs(moved.theta) > kRotated;
   const bool is_same = sees_something && have_equal_bytes(ranges, ranges_);
   if (repeated || (is_same && has_moved)) {
     last_ = LaserState::frozen;

@@ -43,12 +43,12 @@ double Zone::stop_share(const Twist2& wanted, const std::vector<SeenPoint>& poin
   return approaches ? 0.0 : 1.0;
 }
 
-/// A turn moves `p`, seen from the robot, around it: out of the zone or not; around a circle, never.
+/// A rotation moves `p`, seen from the robot, around it: out of the zone or not; around a circle, never.
 bool Zone::leads_out(const Twist2& wanted, const Vector2& p) const {
   if (wanted.v * p.x() > 0.0) return false;
   if (std::abs(wanted.v) >= std::abs(wanted.omega) * p.norm()) return true;
   if (options_.type == ZoneShape::circle) return false;
-  const Vector2 turned(wanted.omega * p.y(), -wanted.omega * p.x());
+  const Vector2 rotated(wanted.omega * p.y(), -wanted.omega * p.x());
   double nearest = std::numeric_limits<double>::infinity();
   bool is_outward = false;
   for (std::size_t i = 0; i < corners_.size(); ++i) {
@@ -57,7 +57,7 @@ bool Zone::leads_out(const Twist2& wanted, const Vector2& p) const {
     const Vector2 out = corners_[i] + share * side - p;
     if (out.norm() >= nearest) continue;
     nearest = out.norm();
-    is_outward = out.dot(turned) > 0.0;
+    is_outward = out.dot(rotated) > 0.0;
   }
   return is_outward;
 }

@@ -31,7 +31,7 @@ constexpr auto choice_table(ZoneShape) {
 }
 
 /// Names and meaning of nav2's parameters. A stop zone differs in one point: motions that lead away from
-/// everything inside stay allowed, so that the robot can get out: away from it, or, of a turn, out by the
+/// everything inside stay allowed, so that the robot can get out: away from it, or, of a rotation, out by the
 /// nearest edge of the zone.
 struct ZoneOptions {
   std::string name = "zone";

@@ -7,8 +7,8 @@
 //   measured = true (1 + scale + s e / 2) + N(0, k |true|)   with s = +1 right, -1 left
 //
 // then whole ticks in a counter that wraps at 32 bits. A wall stops the base: a step that would bring its
-// footprint further into a wall keeps the turn and loses the rest, and the wheels stall; of a polygon the
-// turn as well where that alone goes further in.
+// footprint further into a wall keeps the rotation and loses the rest, and the wheels stall; of a polygon the
+// rotation as well where that alone goes further in.
 #pragma once
 
 #include <cstdint>

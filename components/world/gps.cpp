@@ -34,15 +34,15 @@ void Gps::measure(Duration now, const Vector2& position_in_map) {
       to_latitude_longitude(fix.position, options_.datum_latitude, options_.datum_longitude);
   fix.latitude = geodetic.x();
   fix.longitude = geodetic.y();
-  on_the_way_.push_back(fix);
+  in_transit_.push_back(fix);
 }
 
 std::vector<GpsFix> Gps::arrived(Duration now) {
   std::vector<GpsFix> fixes;
   const Duration latency = Duration::seconds(options_.latency);
-  while (!on_the_way_.empty() && on_the_way_.front().measured_at + latency <= now) {
-    fixes.push_back(on_the_way_.front());
-    on_the_way_.pop_front();
+  while (!in_transit_.empty() && in_transit_.front().measured_at + latency <= now) {
+    fixes.push_back(in_transit_.front());
+    in_transit_.pop_front();
   }
   return fixes;
 }

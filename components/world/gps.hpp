@@ -54,14 +54,14 @@ struct GpsOptions {
 
 struct GpsFix {
   Duration measured_at;        ///< world time of the measurement
-  bool valid = false;          ///< false: no fix; the place is then meaningless
+  bool valid = false;          ///< false: no fix; the position is then meaningless
   Vector2 position{0.0, 0.0};  ///< east, north of the datum [m]
   double latitude = 0.0;       ///< [deg]
   double longitude = 0.0;      ///< [deg]
 };
 
-/// Latitude and longitude [deg] of a place `east`, `north` [m] of the datum, by the radii of curvature of WGS
-/// 84 there; within 0.2 m of the exact values 1 km away at latitudes below 60 deg.
+/// Latitude and longitude [deg] of a position `east`, `north` [m] of the datum, by the radii of curvature of
+/// WGS 84 there; within 0.2 m of the exact values 1 km away at latitudes below 60 deg.
 Vector2 to_latitude_longitude(const Vector2& east_north, double datum_latitude, double datum_longitude);
 
 class Gps {
@@ -77,7 +77,7 @@ class Gps {
  private:
   GpsOptions options_;
   Random random_;
-  std::deque<GpsFix> on_the_way_;
+  std::deque<GpsFix> in_transit_;
 };
 
 }  // namespace bw

@@ -37,10 +37,10 @@ void LaserScanner::aim(const Pose2& X_map_laser) {
 /// Offers the shape to the beams between two angles of the laser frame, one spare beam on either side.
 template <class Shape>
 void LaserScanner::draw_between(double first_angle, double width, const Shape& shape) {
-  constexpr double kTurn = 2.0 * std::numbers::pi;
-  for (const double turn : {-kTurn, 0.0, kTurn}) {
-    const double from = std::floor((first_angle + turn - angle_min_) / angle_increment_) - 1.0;
-    const double to = std::ceil((first_angle + turn + width - angle_min_) / angle_increment_) + 1.0;
+  constexpr double kTwoPi = 2.0 * std::numbers::pi;
+  for (const double shift : {-kTwoPi, 0.0, kTwoPi}) {
+    const double from = std::floor((first_angle + shift - angle_min_) / angle_increment_) - 1.0;
+    const double to = std::ceil((first_angle + shift + width - angle_min_) / angle_increment_) + 1.0;
     if (to < 0.0 || from > options_.beams - 1.0) continue;
     const auto last = static_cast<std::size_t>(std::min(to, options_.beams - 1.0));
     for (auto i = static_cast<std::size_t>(std::max(from, 0.0)); i <= last; ++i) {

@@ -35,7 +35,7 @@ void Legs::step(double dt, const std::vector<Person>& people) {
 
 void Legs::come_home(double dt, Foot& foot) {
   const double kept = std::exp(-dt / kHomeTime);
-  for (Vector2* place : {&foot.from, &foot.to, &foot.wander}) *place *= kept;
+  for (Vector2* position : {&foot.from, &foot.to, &foot.wander}) *position *= kept;
 }
 
 void Legs::stand(double dt, std::uint32_t id, Gait& gait) const {
@@ -62,8 +62,8 @@ void Legs::set_foot(Gait& gait) const {
   gait.step = 0.0;
   Foot& foot = gait.feet[leg];
   for (int attempt = 0; attempt < 20; ++attempt) {
-    const double way = gait.random->uniform(0.05, 0.15);
-    foot.to = foot.from + way * direction(gait.random->uniform(-std::numbers::pi, std::numbers::pi));
+    const double distance = gait.random->uniform(0.05, 0.15);
+    foot.to = foot.from + distance * direction(gait.random->uniform(-std::numbers::pi, std::numbers::pi));
     const Vector2 across{0.0, leg == 0 ? options_.separation : -options_.separation};
     const double apart = (across + foot.to - gait.feet[1 - leg].to).norm();
     if (foot.to.norm() <= kFarthestFoot && apart >= 2.0 * options_.radius && apart <= kWidestStand) return;
@@ -85,8 +85,8 @@ std::vector<Disc> Legs::discs(const std::vector<Person>& people) const {
     const Vector2 left = left_of_facing * (options_.separation / 2.0);
     const auto beside = [&](std::size_t leg) {
       const Foot& foot = gait.feet[leg];
-      const Vector2 place = foot.from + gait.step * (foot.to - foot.from) + foot.wander;
-      return Vector2(gait.facing * place.x() + left_of_facing * place.y());
+      const Vector2 offset = foot.from + gait.step * (foot.to - foot.from) + foot.wander;
+      return Vector2(gait.facing * offset.x() + left_of_facing * offset.y());
     };
     legs.push_back({person.position + left + forward + beside(0), options_.radius});
     legs.push_back({person.position - left - forward + beside(1), options_.radius});

@@ -20,7 +20,7 @@ struct LegOptions {
   double radius = 0.07;
   /// [m] sideways distance between the centres of the legs (set by code alone)
   double separation = 0.24;
-  /// [m] way walked in two steps: one period of the swing (set by code alone)
+  /// [m] distance walked in two steps: one period of the swing (set by code alone)
   double stride = 1.4;
   /// [m] reach of a leg to the front and to the back at full swing (set by code alone)
   double swing = 0.18;

@@ -10,18 +10,18 @@ namespace {
 
 constexpr double kRounding = 1e-9;  // [s]
 
-// What stands within `reach` [m] of `place`, kept `radius` from.
-std::vector<orca::Wall> walls_near(const StaticScene& scene, const Vector2& place, double reach,
+// What stands within `reach` [m] of `position`, kept `radius` from.
+std::vector<orca::Wall> walls_near(const StaticScene& scene, const Vector2& position, double reach,
                                    double radius) {
   std::vector<orca::Wall> walls;
   const auto add = [&](const Segment& core, double extent) {
-    if ((nearest_point(core, place) - place).norm() <= reach + extent)
+    if ((nearest_point(core, position) - position).norm() <= reach + extent)
       walls.push_back({core, radius + extent});
   };
   for (const Segment& segment : scene.segments()) add(segment, 0.0);
   for (const Disc& disc : scene.discs()) add({disc.center, disc.center}, disc.radius);
   if (scene.grid()) {
-    for (const Segment& edge : scene.grid()->edges_within(place, reach)) add(edge, 0.0);
+    for (const Segment& edge : scene.grid()->edges_within(position, reach)) add(edge, 0.0);
   }
   return walls;
 }
@@ -41,9 +41,9 @@ Vector2 OrcaWalkers::decision_of(const GoalWalker& walker, const Surroundings& s
                     .radius = me.radius + options_.kMargin,
                     .wanted = {0.0, 0.0},
                     .v_max = walker.speed};
-  const Vector2 way = walker.goal - me.position;
-  const double distance = way.norm();
-  if (!walker.arrived && distance > 0.0) agent.wanted = way * (walker.speed / std::max(distance, 1.0));
+  const Vector2 to_goal = walker.goal - me.position;
+  const double distance = to_goal.norm();
+  if (!walker.arrived && distance > 0.0) agent.wanted = to_goal * (walker.speed / std::max(distance, 1.0));
   std::vector<orca::Neighbour> others;
   const auto add = [&](const auto& body, double share) {
     others.push_back({body.position, body.velocity, body.radius + options_.kMargin, share});

@@ -17,10 +17,10 @@ class Push {
   /// Where it moves somebody in `dt` [s].
   Vector2 step(double dt) {
     const double left = std::exp(-dt / decay_time_);
-    const Vector2 way = velocity_ * (decay_time_ * (1.0 - left));
+    const Vector2 displacement = velocity_ * (decay_time_ * (1.0 - left));
     velocity_ *= left;
     if (velocity_.norm() < kOver) velocity_ = {0.0, 0.0};
-    return way;
+    return displacement;
   }
   void stop() { velocity_ = {0.0, 0.0}; }
   bool is_over() const { return velocity_ == Vector2(0.0, 0.0); }

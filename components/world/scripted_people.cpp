@@ -8,12 +8,12 @@
 namespace bw {
 namespace {
 
-Vector2 place(const WaypointOptions& waypoint) { return {waypoint.x, waypoint.y}; }
+Vector2 position_of(const WaypointOptions& waypoint) { return {waypoint.x, waypoint.y}; }
 
 double path_length(const std::vector<WaypointOptions>& waypoints) {
   double length = 0.0;
   for (std::size_t i = 1; i < waypoints.size(); ++i)
-    length += (place(waypoints[i]) - place(waypoints[i - 1])).norm();
+    length += (position_of(waypoints[i]) - position_of(waypoints[i - 1])).norm();
   return length;
 }
 
@@ -21,24 +21,24 @@ double path_length(const std::vector<WaypointOptions>& waypoints) {
 void walk(const std::vector<WaypointOptions>& waypoints, double distance, Vector2& position,
           Vector2& heading) {
   for (std::size_t i = 1; i < waypoints.size(); ++i) {
-    const Vector2 leg = place(waypoints[i]) - place(waypoints[i - 1]);
+    const Vector2 leg = position_of(waypoints[i]) - position_of(waypoints[i - 1]);
     const double length = leg.norm();
     if (length > 0.0) heading = leg / length;
     if (distance <= length) {
-      position = place(waypoints[i - 1]) + heading * distance;
+      position = position_of(waypoints[i - 1]) + heading * distance;
       return;
     }
     distance -= length;
   }
-  position = place(waypoints.back());
+  position = position_of(waypoints.back());
 }
 
 Person locate(const ScriptedPersonOptions& script, std::uint32_t id, double time) {
-  Person person{id, place(script.waypoints.front()), {0.0, 0.0}, script.radius};
+  Person person{id, position_of(script.waypoints.front()), {0.0, 0.0}, script.radius};
   const double length = path_length(script.waypoints);
   const double walked = script.speed * (time - script.start_time);
   if (walked < 0.0 || length == 0.0 || (walked >= length && !script.turn_round)) {
-    if (walked > 0.0) person.position = place(script.waypoints.back());
+    if (walked > 0.0) person.position = position_of(script.waypoints.back());
     return person;
   }
   const double phase = std::fmod(walked, 2.0 * length);

@@ -111,10 +111,10 @@ std::string World::push_person(std::uint32_t id, const Vector2& velocity_change)
   if (!velocity_change.allFinite()) return "a number of the request is not finite";
   if (std::ranges::find(people_, id, &Person::id) == people_.end())
     return "there is no person " + std::to_string(id);
-  const bool has_own_way = std::ranges::any_of(groups_, [id](const auto& group) {
+  const bool has_own_path = std::ranges::any_of(groups_, [id](const auto& group) {
     return group->displace(id, {0.0, 0.0});
   });
-  if (!has_own_way) return "person " + std::to_string(id) + " walks as recorded";
+  if (!has_own_path) return "person " + std::to_string(id) + " walks as recorded";
   Push& push = pushes_.try_emplace(id, options_.people.social.forces.kRelaxationTime).first->second;
   if (std::string fault = fault_of_speed(push.velocity() + velocity_change); !fault.empty()) return fault;
   push.add(velocity_change);

@@ -44,7 +44,7 @@ struct WorldSample {
 class World {
  public:
   /// Throws std::runtime_error when the parts do not make a world: a map whose sizes disagree, a person
-  /// without a place, a robot that starts inside a wall or another robot.
+  /// without a position, a robot that starts inside a wall or another robot.
   World(const WorldOptions& options, const Robot& robot, const WorldFiles& files, std::uint64_t seed);
   World(const World&) = delete;
   World& operator=(const World&) = delete;

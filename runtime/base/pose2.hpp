@@ -59,7 +59,7 @@ inline Pose2 inverse(const Pose2& X_AB) {
   return {-c * X_AB.x - s * X_AB.y, s * X_AB.x - c * X_AB.y, wrap_angle(-X_AB.theta)};
 }
 
-/// Turns a free vector (a velocity) from B into A; no translation.
+/// Rotates a free vector (a velocity) from B into A; no translation.
 inline Vector2 rotate(const Pose2& X_AB, const Vector2& v_B) {
   const double c = std::cos(X_AB.theta);
   const double s = std::sin(X_AB.theta);

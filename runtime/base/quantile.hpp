@@ -10,7 +10,7 @@
 
 namespace bw {
 
-/// Place, counted from 0, of the quantile `share` in [0, 1] among `count` > 0 sorted samples.
+/// Index, counted from 0, of the quantile `share` in [0, 1] among `count` > 0 sorted samples.
 inline std::size_t nearest_rank(std::size_t count, double share) {
   const double rank = std::ceil(share * static_cast<double>(count));
   return static_cast<std::size_t>(std::clamp(rank - 1.0, 0.0, static_cast<double>(count - 1)));

@@ -68,7 +68,7 @@ StampAge ForeignClock::add(Time now, Time stamp) {
     return {{}, StampFault::unproven, was_proven};
   }
   const Duration elapsed = now - heard_;
-  const bool may_be_step = way_ == Way::direct || elapsed >= kSilence;
+  const bool may_be_step = delivery_ == Delivery::direct || elapsed >= kSilence;
   const bool is_known = late_ && heard_ - near_ > kProof && !may_be_step;
   const Duration known_age = is_known ? *late_ : Duration{};
   const Duration lag = now - stamp;

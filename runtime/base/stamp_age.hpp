@@ -52,12 +52,12 @@ class ForeignClock {
   static constexpr Duration kSilence = Duration::milliseconds(10'000);
   static constexpr int kEnough = 4;  ///< samples of a proof
 
-  enum class Way : std::uint8_t {
+  enum class Delivery : std::uint8_t {
     queued,  ///< samples may wait on their way, for as long as they like
     direct  ///< nothing holds them back for long, as on a serial line: what is late for a second is a clock that was set
   };
 
-  explicit ForeignClock(Way way = Way::queued) : way_(way) {}
+  explicit ForeignClock(Delivery delivery = Delivery::queued) : delivery_(delivery) {}
 
   /// `now` rises; if it does not, all is begun anew.
   StampAge add(Time now, Time stamp);
@@ -79,7 +79,7 @@ class ForeignClock {
   static bool proves(Run& run, Time now, Duration lag);
   StampAge after_jump(Time now, Time stamp, StampAge seen, Duration known_age);
 
-  Way way_;
+  Delivery delivery_;
   bool is_begun_ = false;
   bool is_proven_ = false;
   Run proof_;
@@ -117,7 +117,7 @@ class StampAges {
     Time heard;
     bool is_own_clock = true;
     std::optional<Time> newest;  ///< stamp, of the own clock
-    ForeignClock clock{ForeignClock::Way::queued};
+    ForeignClock clock{ForeignClock::Delivery::queued};
   };
   Writer& writer_of(Time now, const StampSource& source);
 

@@ -97,8 +97,8 @@ Option Option::needs(Option other) const { return Option(option_->needs(other.op
 
 Option Option::under(const std::string& heading) const { return Option(option_->group(heading)); }
 
-Option Verb::add_option(const std::string& names, Place place, const std::string& help) {
-  return Option(std::visit([&](auto& to) { return add(*app_, names, std::move(to), help); }, place));
+Option Verb::add_option(const std::string& names, OptionTarget target, const std::string& help) {
+  return Option(std::visit([&](auto& to) { return add(*app_, names, std::move(to), help); }, target));
 }
 
 Option Verb::flag(const std::string& names, bool& value, const std::string& help) {

@@ -33,7 +33,7 @@ class Option;
 namespace bw::cli {
 
 /// Where the value of an option goes, or who is told of it.
-using Place = std::variant<
+using OptionTarget = std::variant<
     std::string*, std::filesystem::path*, bool*, int*, std::uint16_t*, std::uint64_t*, double*,
     std::optional<std::string>*, std::optional<double>*, std::optional<int>*, std::optional<std::uint64_t>*,
     std::vector<std::string>*, std::vector<std::filesystem::path>*, std::vector<double>*,
@@ -110,7 +110,7 @@ class Verb {
 
  private:
   void set_action(std::function<int()> action);
-  Option add_option(const std::string& names, Place place, const std::string& help);
+  Option add_option(const std::string& names, OptionTarget target, const std::string& help);
 
   CLI::App* app_;
 };

@@ -208,12 +208,12 @@ class Checker {
     });
     for_each_command([&](const auto& writer, const auto& reader) {
       const InputSettings* settings = reader.node->input(reader.declared->name);
-      std::vector<const ComponentNode*> way{reader.node};
+      std::vector<const ComponentNode*> path{reader.node};
       if (settings == nullptr || !settings->external ||
-          !leads_to(writer.node, by_type[writer.declared->type], way))
+          !leads_to(writer.node, by_type[writer.declared->type], path))
         return;
       std::string text;
-      for (const ComponentNode* passed : way) text += passed->name + " -> ";
+      for (const ComponentNode* passed : path) text += passed->name + " -> ";
       add(settings->where, reader.key(), reader.node->topic_of(reader.declared->name),
           "is left to others and hears its own command back: " + text + reader.node->name + "; remap it");
     });
@@ -231,17 +231,17 @@ class Checker {
     }
   }
 
-  /// Extends `way` to `end` along commands; false when none leads there.
+  /// Extends `path` to `end` along commands; false when none leads there.
   static bool leads_to(const ComponentNode* end, const Obedience& obedience,
-                       std::vector<const ComponentNode*>& way) {
-    if (way.back() == end) return true;
-    const auto next = obedience.find(way.back());
+                       std::vector<const ComponentNode*>& path) {
+    if (path.back() == end) return true;
+    const auto next = obedience.find(path.back());
     if (next == obedience.end()) return false;
     for (const ComponentNode* node : next->second) {
-      if (std::find(way.begin(), way.end(), node) != way.end()) continue;
-      way.push_back(node);
-      if (leads_to(end, obedience, way)) return true;
-      way.pop_back();
+      if (std::find(path.begin(), path.end(), node) != path.end()) continue;
+      path.push_back(node);
+      if (leads_to(end, obedience, path)) return true;
+      path.pop_back();
     }
     return false;
   }

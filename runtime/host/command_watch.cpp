@@ -91,11 +91,11 @@ std::string CommandWatch::label(const Watched& watched, const UnknownDevice& str
 std::string CommandWatch::refusal(const WatchedTopic& topic, const std::vector<std::string>& names) {
   if (topic.owner.empty())
     return fmt::format("not heard: {}; {} is {} here", listed(names), topic.topic, topic.type);
-  const std::string way = topic.open.empty()
-                              ? "mark the input external: true in the graph to let others in"
-                              : fmt::format("others are heard on {}", fmt::join(topic.open, ", "));
+  const std::string advice = topic.open.empty()
+                                 ? "mark the input external: true in the graph to let others in"
+                                 : fmt::format("others are heard on {}", fmt::join(topic.open, ", "));
   return fmt::format("refused: {} is commanded by {} alone; {} publish{} it too; {}", topic.topic,
-                     topic.owner, listed(names), names.size() > 1 ? "" : "es", way);
+                     topic.owner, listed(names), names.size() > 1 ? "" : "es", advice);
 }
 
 std::map<std::string, CommandWatch::State> CommandWatch::states() const {

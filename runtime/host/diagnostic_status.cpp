@@ -19,7 +19,7 @@ void add_value(DiagnosticStatus& status, std::string key, std::string value) {
   status.values().push_back(std::move(pair));
 }
 
-void add_place(DiagnosticStatus& status, const Actor& actor) {
+void add_location(DiagnosticStatus& status, const Actor& actor) {
   add_value(status, "process", actor.process);
   add_value(status, "lane", actor.lane);
   add_value(status, "latency", fmt::format("{:g} ms", actor.latency.to_seconds() * 1e3));
@@ -75,7 +75,7 @@ DiagnosticStatus DiagnosticStatuses::of(const Actor& actor, Time now) {
   status.name(actor.name);
   status.level(static_cast<std::uint8_t>(actor.diagnostic_level));
   status.message(actor.diagnostic_message);
-  if (actor.is_in_graph()) add_place(status, actor);
+  if (actor.is_in_graph()) add_location(status, actor);
   if (!actor.is_active()) {
     status.level(std::max(status.level(), static_cast<std::uint8_t>(DiagnosticReporter::Level::warn)));
     status.message(std::string(lifecycle::label(actor.state)));

@@ -21,7 +21,7 @@ dds::Guid prefix_of(dds::Guid guid) {
 }
 
 /// The host's part of a prefix is the third and the fourth octet, behind the vendor's.
-std::string place_of(const dds::Guid& theirs, const dds::Guid& ours) {
+std::string location_of(const dds::Guid& theirs, const dds::Guid& ours) {
   const bool is_here = std::equal(theirs.begin(), theirs.begin() + 4, ours.begin());
   return fmt::format("participant {:02x} {}", fmt::join(theirs.begin(), theirs.begin() + kPrefixSize, "."),
                      is_here ? "of this machine" : "of another machine or vendor");
@@ -76,13 +76,13 @@ DuplicateNameWatch::Rivals DuplicateNameWatch::rivals_in(const DomainView& view)
 
 std::string DuplicateNameWatch::sentence(const OwnNode& ours, const dds::Guid& theirs, const Rival& rival,
                                          const dds::Guid& own_participant) {
-  const std::string place = place_of(theirs, own_participant);
+  const std::string location = location_of(theirs, own_participant);
   const std::string served = rival.services.empty() ? "" : listed(rival.services);
   if (rival.is_duplicate || rival.services.empty())
-    return fmt::format("{} is there twice: a node of {} has the same name{}", ours.name, place,
+    return fmt::format("{} is there twice: a node of {} has the same name{}", ours.name, location,
                        served.empty() ? "" : " and serves " + served + " too");
   return fmt::format("{} of {} is served twice: by {} of {} too", served, ours.name,
-                     rival.node.empty() ? "somebody without a node name" : rival.node, place);
+                     rival.node.empty() ? "somebody without a node name" : rival.node, location);
 }
 
 DuplicateNameWatch::News DuplicateNameWatch::news_of(std::string text) {

@@ -76,7 +76,7 @@ struct TimedDriverOptions {
   void fields(Visitor&) {}
 };
 
-/// Wheels that turn as they are told, and a clock.
+/// Wheels that rotate as they are told, and a clock.
 class TimedDriver final : public Driver {
  public:
   TimedDriver(const TimedDriverOptions&, const DriverContext&) {}

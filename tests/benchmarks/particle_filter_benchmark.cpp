@@ -12,7 +12,7 @@
 namespace bw::localization {
 namespace {
 
-constexpr int kPlaces = 48;  // of a circle of 2 m radius, 0.26 m apart
+constexpr int kPositions = 48;  // of a circle of 2 m radius, 0.26 m apart
 
 struct Sweep {
   Pose2 X_MB;
@@ -22,9 +22,9 @@ struct Sweep {
 
 std::vector<Sweep> drive_circle() {
   Sweeper sweeper(rooms());
-  std::vector<Sweep> sweeps(kPlaces);
-  for (int i = 0; i < kPlaces; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / kPlaces;
+  std::vector<Sweep> sweeps(kPositions);
+  for (int i = 0; i < kPositions; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kPositions;
     Sweep& sweep = sweeps[static_cast<std::size_t>(i)];
     sweep.X_MB = {6.0 + 2.0 * std::cos(angle), 6.0 + 2.0 * std::sin(angle), angle + std::numbers::pi / 2.0};
     sweep.reading = sweeper.sweep({}, sweep.X_MB);
@@ -44,11 +44,11 @@ void update(benchmark::State& state, ParticleFilterOptions options, MotionNoise 
   std::size_t i = 0;
   double particles = 0.0;
   const Duration period = Duration::milliseconds(260);
-  const double turn = 2.0 * std::numbers::pi / kPlaces;
+  const double rotation = 2.0 * std::numbers::pi / kPositions;
   for ([[maybe_unused]] auto _ : state) {
     i = (i + 1) % sweeps.size();
     now = now + period;
-    WheelStep step = step_from_twist(now, period, {2.0 * turn / 0.26, turn / 0.26},
+    WheelStep step = step_from_twist(now, period, {2.0 * rotation / 0.26, rotation / 0.26},
                                      Eigen::Vector2d(0.01, 0.01).asDiagonal());
     filter.add(step, now);
     LaserReading reading = sweeps[i].reading;

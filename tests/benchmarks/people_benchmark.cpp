@@ -21,8 +21,8 @@ struct Recorded {
   LaserScan scan;
 };
 
-/// A minute of a robot that turns among people who walk round it, inside rings of poles. Many poles stand as
-/// legs do and are taken for people: all the more to do.
+/// A minute of a robot that rotates among people who walk round it, inside rings of poles. Many poles stand
+/// as legs do and are taken for people: all the more to do.
 std::vector<Recorded> crowded_minute(const LaserOptions& laser) {
   Random random(1);
   StaticObstacles poles;

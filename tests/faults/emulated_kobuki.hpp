@@ -1,5 +1,6 @@
 // A Kobuki at the end of a cable, in real time: emulated firmware without a dead-man time of its own, wheels
-// that turn as it makes them, and a commander that wants them to turn for ever. It keeps when it heard what.
+// that rotate as it makes them, and a commander that wants them to rotate for ever. It keeps when it heard
+// what.
 #pragma once
 
 #include <algorithm>

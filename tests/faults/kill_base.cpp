@@ -42,8 +42,8 @@ struct Figures {
 
 class Trial {
  public:
-  Trial(std::string program, const std::string& port, std::string way)
-      : program_(std::move(program)), kobuki_(port), port_(port), way_(std::move(way)) {}
+  Trial(std::string program, const std::string& port, std::string ending)
+      : program_(std::move(program)), kobuki_(port), port_(port), ending_(std::move(ending)) {}
 
   /// Why it failed; empty: told and at rest.
   std::string run(int phase_ms, Figures& figures) {
@@ -54,10 +54,10 @@ class Trial {
       return say("it did not drive");
     kobuki_.live(milliseconds(phase_ms), [] { return false; });
     const pid_t guardian = guardian_of(base.id());
-    if (guardian < 0 && way_ == "guardian") return say("it has no guardian");
+    if (guardian < 0 && ending_ == "guardian") return say("it has no guardian");
     kobuki_.forget();
     const auto began = EmulatedKobuki::Clock::now();
-    if (kill(way_ == "guardian" ? guardian : base.id(), kSignals.at(way_)) != 0)
+    if (kill(ending_ == "guardian" ? guardian : base.id(), kSignals.at(ending_)) != 0)
       return say("no such process");
     const bool stands =
         kobuki_.live(milliseconds(5'000), [&] { return kobuki_.stop() && kobuki_.speed() < 1e-3; });
@@ -73,7 +73,7 @@ class Trial {
  private:
   std::string after(Process& base) {
     const auto drives = [&] { return kobuki_.speed() > 1e-3; };
-    if (way_ == "STOP") {
+    if (ending_ == "STOP") {
       if (kobuki_.live(milliseconds(300), drives)) return "it drove on while it was stopped";
       base.signal(SIGCONT);
       if (kobuki_.live(milliseconds(400), drives)) return "it drove on after the hang\n" + base.err();
@@ -82,13 +82,14 @@ class Trial {
       if (base.err().find("is silent, the base is told to stop") == std::string::npos)
         return "nobody says that it hung\n" + base.err();
     }
-    if (way_ == "guardian" && base.err().find("the guardian of " + port_ + " is gone") == std::string::npos)
+    if (ending_ == "guardian" &&
+        base.err().find("the guardian of " + port_ + " is gone") == std::string::npos)
       return "it does not say that its guardian is gone\n" + base.err();
-    if (way_ == "STOP" || way_ == "guardian") base.signal(SIGTERM);
+    if (ending_ == "STOP" || ending_ == "guardian") base.signal(SIGTERM);
     std::optional<int> status;
     kobuki_.live(milliseconds(10'000), [&] { return (status = base.wait(milliseconds(0))).has_value(); });
     if (!status) return "it does not end";
-    const bool is_orderly = way_ != "KILL" && way_ != "ABRT" && way_ != "SEGV";
+    const bool is_orderly = ending_ != "KILL" && ending_ != "ABRT" && ending_ != "SEGV";
     if (is_orderly && *status != 0) return "exit status " + std::to_string(*status) + "\n" + base.err();
     const pid_t parent = base.id();
     if (!kobuki_.live(milliseconds(2'000), [&] { return guardian_of(parent) < 0; }))
@@ -98,7 +99,7 @@ class Trial {
 
   std::string program_;
   EmulatedKobuki kobuki_;
-  std::string port_, way_;
+  std::string port_, ending_;
 };
 
 void print(const char* what, std::vector<double> ms, double limit_ms) {
@@ -110,10 +111,10 @@ void print(const char* what, std::vector<double> ms, double limit_ms) {
               in_time, ms.size(), limit_ms);
 }
 
-int measure(const std::string& program, const std::string& way, int times, double limit_ms) {
+int measure(const std::string& program, const std::string& ending, int times, double limit_ms) {
   static_cast<void>(take_real_time_priority());  // what the meter itself is late would be told of the base
   const TemporaryFolder folder;
-  Trial trial(program, (folder.path() / "kobuki").string(), way);
+  Trial trial(program, (folder.path() / "kobuki").string(), ending);
   const WheelRadii radii{0.035, 0.035};
   const OutsideDriver<sensor_msgs::msg::JointState> commander(
       "commander", "wheel_commands", milliseconds(20), [radii] {
@@ -128,10 +129,10 @@ int measure(const std::string& program, const std::string& way, int times, doubl
     std::printf("%d: %s\n", i + 1, failure.c_str());
     std::fflush(stdout);
   }
-  std::printf("%s: %d times, %d failed\n", way.c_str(), times, figures.failed);
+  std::printf("%s: %d times, %d failed\n", ending.c_str(), times, figures.failed);
   print("stop frame", figures.stop_ms, limit_ms);
   print("wheels at rest", figures.rest_ms, limit_ms);
-  const bool is_ramp = way == "TERM" || way == "INT" || way == "HUP";
+  const bool is_ramp = ending == "TERM" || ending == "INT" || ending == "HUP";
   const bool is_late =
       !is_ramp && std::ranges::any_of(figures.stop_ms, [&](double ms) { return ms > limit_ms; });
   return figures.failed == 0 && !is_late ? 0 : 1;

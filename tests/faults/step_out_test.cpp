@@ -1,13 +1,14 @@
-// Somebody steps out from behind a wall 0.2 m beside the robot's way, at 1 m/s across it, and the robot comes
-// at 1 m/s (row 33 of tests/README.md). Nobody plans, tracks or predicts; only the collision monitor sees it.
+// Somebody steps out from behind a wall 0.2 m beside the robot's path, at 1 m/s across it, and the robot
+// comes at 1 m/s (row 33 of tests/README.md). Nobody plans, tracks or predicts; only the collision monitor
+// sees it.
 //
-// "d ahead": when the rim of the person's disc (0.3 m) enters the way of the robot's disc, d [m] lie between
-// the two along the way. What braking at a = 2 m/s^2 can do, with t_r from the person being in the way to
+// "d ahead": when the rim of the person's disc (0.3 m) enters the path of the robot's disc, d [m] lie between
+// the two along the path. What braking at a = 2 m/s^2 can do, with t_r from the person being in the way to
 // braking wheels:
 //
 //   speed at contact  v_c = sqrt(v^2 - 2 a (d - v t_r)),  none if d > v t_r + v^2 / 2a
 //
-// t_r is at most 0.17 s: the legs, which alone are seen, come into the way (less narrow_margin) up to 30 ms
+// t_r is at most 0.17 s: the legs, which alone are seen, come into the path (less narrow_margin) up to 30 ms
 // after the rim of the body; then a period of the laser (100 ms), a cycle of motor control (20 ms), the
 // physics (10 ms) and the ramp of the wheels (10 ms). At d = 0.5 m the robot can stand (0.42 m); from d =
 // 0.40 m down it cannot be below 0.3 m/s: that is physics.
@@ -43,7 +44,7 @@ std::string scene(double wall_end, const std::string& person) {
 
 /// When the robot, undisturbed, is at x [m]: measured once.
 double time_at(double x) {
-  static const std::vector<std::pair<double, double>> way = [] {
+  static const std::vector<std::pair<double, double>> path = [] {
     std::vector<std::pair<double, double>> list;
     GuardedDrive drive;
     drive.world = scene(-4.0, "");
@@ -52,7 +53,7 @@ double time_at(double x) {
     drive.run(9.0);
     return list;
   }();
-  const auto after = std::lower_bound(way.begin(), way.end(), std::pair(x, 0.0));
+  const auto after = std::lower_bound(path.begin(), path.end(), std::pair(x, 0.0));
   return after->second;
 }
 

@@ -99,9 +99,9 @@ TEST_F(BagVerbs, NothingIsWrittenOver) {
 }
 
 TEST_F(BagVerbs, BenchMeasuresAndLeavesNothingBehind) {
-  const std::filesystem::path place = folder_ / "bench";
-  std::filesystem::create_directories(place);
-  const Outcome outcome = bandwagon({"bench", "bag", "--folder", place, "--size", "0.01", "--write", "0.01",
+  const std::filesystem::path folder = folder_ / "bench";
+  std::filesystem::create_directories(folder);
+  const Outcome outcome = bandwagon({"bench", "bag", "--folder", folder, "--size", "0.01", "--write", "0.01",
                                      "--seeks", "3", "--json", folder_ / "bench.json"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   std::ifstream in(folder_ / "bench.json");
@@ -109,8 +109,8 @@ TEST_F(BagVerbs, BenchMeasuresAndLeavesNothingBehind) {
   EXPECT_EQ(figures["write"].size(), 3U);
   EXPECT_GT(figures["read"]["open_s"], 0.0);
   EXPECT_GT(figures["read"]["seek_worst_s"], 0.0);
-  EXPECT_TRUE(std::filesystem::is_empty(place));
-  const Outcome too_much = bandwagon({"bench", "bag", "--folder", place, "--write", "1e9"});
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+  const Outcome too_much = bandwagon({"bench", "bag", "--folder", folder, "--write", "1e9"});
   EXPECT_EQ(too_much.status, 2);
   EXPECT_THAT(too_much.err, HasSubstr("GB are needed"));
 }

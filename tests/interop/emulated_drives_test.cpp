@@ -89,12 +89,12 @@ TEST(EmulatedDrives, ReachTheGoal) {
   const int asked = drives_asked_for();
   const int count = std::max(asked, 1);
   std::vector<std::string> robots = {"qbot2e"};
-  std::vector<std::string> ways = {"simulated", "one process"};
+  std::vector<std::string> setups = {"simulated", "one process"};
   if (asked > 0) robots.emplace_back("eddie");
-  if (asked > 0) ways.emplace_back("three processes");
+  if (asked > 0) setups.emplace_back("three processes");
   std::printf("robot   driver           seed  goal    contacts  time s  closest m\n");
   for (const std::string& robot : robots) {
-    for (const std::string& how : ways) {
+    for (const std::string& how : setups) {
       Tally tally;
       for (int seed = 1; seed <= count; ++seed) {
         const Drive drive{robot, how, seed};

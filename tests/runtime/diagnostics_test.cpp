@@ -61,9 +61,9 @@ std::map<int, Values> values_of_worker() {
 TEST(Diagnostics, TellPlaceAgesAndRates) {
   const auto seen = values_of_worker();
   ASSERT_GE(seen.size(), 3U);
-  const Values place = {{"process", "control"}, {"lane", "fast"}, {"latency", "2.5 ms"}, {"mode", "test"}};
-  const auto with = [&place](Values more) {
-    more.insert(place.begin(), place.end());
+  const Values location = {{"process", "control"}, {"lane", "fast"}, {"latency", "2.5 ms"}, {"mode", "test"}};
+  const auto with = [&location](Values more) {
+    more.insert(location.begin(), location.end());
     return more;
   };
   EXPECT_EQ(seen.at(1), with({{"age /a", "100.0 ms of 800 ms"}, {"age /b", "never"}}));

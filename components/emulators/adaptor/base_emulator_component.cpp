@@ -52,7 +52,7 @@ class BaseEmulatorComponent final : public Component {
   }
 
   void activate(const Tick& tick) override { started_ = tick.now; }
-  void deactivate(const Tick& tick) override { turn({}, tick.now); }
+  void deactivate(const Tick& tick) override { drive_wheels({}, tick.now); }
 
  private:
   Faults acting_at(Time now) const { return acting(options_.faults, (now - started_).to_seconds()); }
@@ -65,7 +65,7 @@ class BaseEmulatorComponent final : public Component {
     const Faults faults = acting_at(real_now);
     listen(real_now, faults);
     if (!faults.hung) send(answering(faults).step(now, seen_with(body_->now(), faults)), faults);
-    turn(turned_with(firmware_->motors(), faults), now);
+    drive_wheels(with_faults(firmware_->motors(), faults), now);
   }
 
   void listen(Time now, const Faults& faults) {
@@ -88,9 +88,9 @@ class BaseEmulatorComponent final : public Component {
   }
 
   /// The world holds a command until the next one.
-  void turn(const WheelSpeeds& wheels, Time now) {
-    if (turning_ == wheels) return;
-    turning_ = wheels;
+  void drive_wheels(const WheelSpeeds& wheels, Time now) {
+    if (driven_ == wheels) return;
+    driven_ = wheels;
     wheels_.publish(to_joint_state(wheels, {firmware_->wheel_radius(), firmware_->wheel_radius()}, now));
   }
 
@@ -104,7 +104,7 @@ class BaseEmulatorComponent final : public Component {
   std::optional<Time> last_step_;  ///< of the world
   Time started_;
   bool is_plugged_ = true;
-  std::optional<WheelSpeeds> turning_;
+  std::optional<WheelSpeeds> driven_;
   Output<sensor_msgs::msg::JointState> wheels_;
 };
 

@@ -1,4 +1,4 @@
-// Motion of an Eddie board, in positions of its encoders: power, speed ramped with ACC, or a way to go.
+// Motion of an Eddie board, in positions of its encoders: power, speed ramped with ACC, or a distance to go.
 #pragma once
 
 #include <deque>
@@ -50,7 +50,7 @@ class EddieDrive {
   double acceleration_;
   std::deque<Command> waiting_;
   EddieMotion motion_;
-  WheelPair goal_;             ///< of a way to go [positions]
+  WheelPair goal_;             ///< of a distance to go [positions]
   double deceleration_ = 0.0;  ///< of a stop [positions/s^2]
   WheelPair speeds_;
 };

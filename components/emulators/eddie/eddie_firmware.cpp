@@ -16,7 +16,7 @@ constexpr Duration kWatch = Duration::milliseconds(1000);
 constexpr Duration kSpeedWindow = Duration::milliseconds(500);
 constexpr double kIdleCurrent = 0.5, kCurrentPerSpeed = 2.0;  // [A], [A s/m]
 
-int positions_per_turn(EddieBoard board) { return board == EddieBoard::quadrature ? 144 : 36; }
+int positions_per_revolution(EddieBoard board) { return board == EddieBoard::quadrature ? 144 : 36; }
 
 /// Upper case, with zeros in front; negative ones in two's complement of so many digits.
 std::string hex(std::int64_t value, int digits) {
@@ -41,8 +41,9 @@ EddieFirmware::EddieFirmware(const EddieOptions& options, const Robot& robot)
     : options_(options),
       wheel_radius_(robot.wheel_radius),
       ticks_per_position_(static_cast<double>(robot.ticks_per_revolution) /
-                          positions_per_turn(options.board)),
-      metres_per_position_(2.0 * std::numbers::pi * robot.wheel_radius / positions_per_turn(options.board)),
+                          positions_per_revolution(options.board)),
+      metres_per_position_(2.0 * std::numbers::pi * robot.wheel_radius /
+                           positions_per_revolution(options.board)),
       speed_factor_(options.speed_unit == SpeedUnit::per_half_second ? 2.0 : 1.0),
       drive_(Duration::seconds(options.latency), options.first_acceleration / metres_per_position_),
       battery_(options.battery),
@@ -51,10 +52,10 @@ EddieFirmware::EddieFirmware(const EddieOptions& options, const Robot& robot)
 std::vector<Beam> EddieFirmware::beams() const { return eddie_beams(); }
 
 WheelSpeeds EddieFirmware::motors() const {
-  const auto turned = [&](double positions_per_second) {
+  const auto wheel_speed = [&](double positions_per_second) {
     return std::clamp(positions_per_second * metres_per_position_, -options_.top_speed, options_.top_speed);
   };
-  return {turned(drive_.speeds().left), turned(drive_.speeds().right)};
+  return {wheel_speed(drive_.speeds().left), wheel_speed(drive_.speeds().right)};
 }
 
 std::span<const std::uint8_t> EddieFirmware::receive(Time now, std::span<const std::uint8_t> bytes) {
@@ -135,8 +136,9 @@ std::string EddieFirmware::speeds() const {
 }
 
 std::string EddieFirmware::heading() const {
-  const auto way = static_cast<double>(since_reset().left - since_reset().right) * metres_per_position_;
-  const double degrees = way / options_.separation * 180.0 / std::numbers::pi;
+  const auto difference =
+      static_cast<double>(since_reset().left - since_reset().right) * metres_per_position_;
+  const double degrees = difference / options_.separation * 180.0 / std::numbers::pi;
   return hex(std::llround(degrees - 360.0 * std::floor(degrees / 360.0)), 3);
 }
 

@@ -71,7 +71,7 @@ std::span<const std::uint8_t> KobukiFirmware::step(Time now, const Body& body) {
   if (!started_) started_ = last_step_ = now;
   const double dt = std::max(0.0, (now - *last_step_).to_seconds());
   last_step_ = now;
-  motors_.step(now, dt, turning(body));
+  motors_.step(now, dt, wheel_speeds(body));
   gyro_.step(body.twist.omega, dt);
   const bool is_charging = body.charger != Charger::none && !battery_.is_full();
   battery_.step(
@@ -87,7 +87,7 @@ std::span<const std::uint8_t> KobukiFirmware::step(Time now, const Body& body) {
 }
 
 /// The wheels as its encoders see them.
-WheelSpeeds KobukiFirmware::turning(const Body& body) const {
+WheelSpeeds KobukiFirmware::wheel_speeds(const Body& body) const {
   const WheelSpeeds ground = to_wheel_speeds(body.twist, separation_);
   return {ground.left / radii_.left * options_.wheel_radius,
           ground.right / radii_.right * options_.wheel_radius};

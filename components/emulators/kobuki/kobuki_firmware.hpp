@@ -38,7 +38,7 @@ class KobukiFirmware final : public EmulatedBase {
   void put_core(BasePacket& packet, const Body& body) const;
   void put_sensors(BasePacket& packet, const Body& body);
   void put_requested(BasePacket& packet);
-  WheelSpeeds turning(const Body& body) const;
+  WheelSpeeds wheel_speeds(const Body& body) const;
   double voltage(const Body& body) const;
   std::uint8_t charger_code(const Body& body) const;
 

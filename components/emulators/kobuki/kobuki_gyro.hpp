@@ -1,6 +1,6 @@
 // The gyro of a Kobuki: raw samples of three axes with bias, noise and steps of 0.00875 deg/s, and the angle
-// that the board makes of its calibrated rate. The chip is mounted turned by 90 degrees: raw x is the robot's
-// y, raw y its -x, raw z its z.
+// that the board makes of its calibrated rate. The chip is mounted rotated by 90 degrees: raw x is the
+// robot's y, raw y its -x, raw z its z.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ class KobukiGyro {
  public:
   KobukiGyro(const KobukiGyroOptions& options, std::uint64_t seed);
 
-  /// Turns at `rate` [rad/s] about z for dt [s].
+  /// Rotates at `rate` [rad/s] about z for dt [s].
   void step(double rate, double dt);
   /// Those since the last call, at most 3, oldest first; older ones are lost, as they are for the board.
   std::vector<RawGyroSample> take_samples();

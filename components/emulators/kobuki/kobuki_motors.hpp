@@ -25,7 +25,7 @@ class KobukiMotors {
   explicit KobukiMotors(const KobukiOptions& options) : options_(options), controller_(options.wheels) {}
 
   void base_control(Time now, int speed, int radius);
-  /// `actual`: how fast the wheels really turn [m/s].
+  /// `actual`: how fast the wheels really rotate [m/s].
   void step(Time now, double dt, const WheelSpeeds& actual);
   WheelSpeeds speeds() const;
   const MotorState& left() const { return left_; }

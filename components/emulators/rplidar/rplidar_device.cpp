@@ -22,9 +22,9 @@ constexpr std::size_t kMaxWaiting = 300;  // more than the longest request
 float LaserView::range_at(double angle) const {
   constexpr auto kNothing = std::numeric_limits<float>::infinity();
   if (ranges.empty() || angle_increment == 0.0) return kNothing;
-  constexpr double kTurn = 2.0 * std::numbers::pi;
-  double behind_first = std::remainder(angle - angle_min, kTurn);
-  if (behind_first < -std::abs(angle_increment) / 2.0) behind_first += kTurn;
+  constexpr double kTwoPi = 2.0 * std::numbers::pi;
+  double behind_first = std::remainder(angle - angle_min, kTwoPi);
+  if (behind_first < -std::abs(angle_increment) / 2.0) behind_first += kTwoPi;
   const double beam = std::round(behind_first / angle_increment);
   if (beam < 0.0 || beam > static_cast<double>(ranges.size() - 1)) return kNothing;
   return ranges[static_cast<std::size_t>(beam)];
@@ -124,7 +124,7 @@ void RplidarDevice::answer(std::uint8_t type, bool is_stream, std::span<const st
   out_.insert(out_.end(), data.begin(), data.end());
 }
 
-/// [Hz]. An A1 turns while it has power; later ones as they are told.
+/// [Hz]. An A1 rotates while it has power; later ones as they are told.
 double RplidarDevice::wanted_rate() const {
   const bool is_told = options_.model >> 4 >= 2;
   return options_.rate * faults_.slow * (is_told ? std::min(motor_speed_.value_or(0.0), 1.5) : 1.0);
@@ -142,11 +142,11 @@ std::span<const std::uint8_t> RplidarDevice::step(Time now, const LaserView& vie
     const double wanted = wanted_rate();
     const double most =
         options_.spin_up > 0.0 ? options_.rate * options_.sample_time / options_.spin_up : wanted;
-    turn_rate_ += std::clamp(wanted - turn_rate_, -std::max(most, 1e-9), std::max(most, 1e-9));
-    turned_ += turn_rate_ * options_.sample_time;
-    begins_revolution_ = turned_ >= 1.0;
-    turned_ -= std::floor(turned_);
-    const bool is_steady = std::abs(turn_rate_ - wanted) < 0.05 * options_.rate;
+    revolution_rate_ += std::clamp(wanted - revolution_rate_, -std::max(most, 1e-9), std::max(most, 1e-9));
+    revolved_ += revolution_rate_ * options_.sample_time;
+    begins_revolution_ = revolved_ >= 1.0;
+    revolved_ -= std::floor(revolved_);
+    const bool is_steady = std::abs(revolution_rate_ - wanted) < 0.05 * options_.rate;
     if (is_scanning_ && is_steady && !boots_until_) measure(view);
   }
   sent_.clear();
@@ -156,13 +156,13 @@ std::span<const std::uint8_t> RplidarDevice::step(Time now, const LaserView& vie
 }
 
 void RplidarDevice::measure(const LaserView& view) {
-  const double angle = 2.0 * std::numbers::pi * turned_;
+  const double angle = 2.0 * std::numbers::pi * revolved_;
   const double noise = options_.range_noise > 0.0 ? options_.range_noise * random_.normal() : 0.0;
   const double range = static_cast<double>(view.range_at(wrap_angle(-angle))) + noise;
   const bool is_seen = std::isfinite(range) && range >= options_.range_min && range <= options_.range_max;
   const auto distance =
       static_cast<std::uint16_t>(is_seen ? std::min(std::lround(range * 4000.0), 65535L) : 0);
-  const auto angle_64 = static_cast<std::uint16_t>(std::lround(turned_ * 360.0 * 64.0) % (360 * 64));
+  const auto angle_64 = static_cast<std::uint16_t>(std::lround(revolved_ * 360.0 * 64.0) % (360 * 64));
   // Fewer photons come back from afar.
   const int quality = is_seen ? std::clamp(static_cast<int>(47.0 - 2.0 * range), 5, 47) : 0;
   const int first = quality << 2 | (begins_revolution_ ? 0b01 : 0b10);

@@ -1,11 +1,11 @@
-// The firmware of an RPLIDAR and its turning head, emulated byte by byte from the protocol of its maker; it
+// The firmware of an RPLIDAR and its rotating head, emulated byte by byte from the protocol of its maker; it
 // shares no code with our driver. Values in, result out: no clock, no file, no middleware.
 //
 // Modelled: requests and their checksums, answers, health, the motor's start, one measurement after the other
-// while the head turns, each of what is seen at its own time and angle, what the format rounds (0.25 mm, 1/64
-// degree), too near and too far, noise, faults. Not modelled: DTR, which is no byte (the motor of an A1 turns
-// while it has power); the speed of the line; mirrors, glass and sun; express scans, whose requests get no
-// answer, as from old firmware.
+// while the head rotates, each of what is seen at its own time and angle, what the format rounds (0.25 mm,
+// 1/64 degree), too near and too far, noise, faults. Not modelled: DTR, which is no byte (the motor of an A1
+// rotates while it has power); the speed of the line; mirrors, glass and sun; express scans, whose requests
+// get no answer, as from old firmware.
 #pragma once
 
 #include <cstdint>
@@ -92,7 +92,7 @@ class RplidarDevice {
   std::span<const std::uint8_t> step(Time now, const LaserView& view);
 
   bool is_scanning() const { return is_scanning_; }
-  double turn_rate() const { return turn_rate_; }  ///< [Hz]
+  double revolution_rate() const { return revolution_rate_; }  ///< [Hz]
   std::uint64_t refused_requests() const { return refused_requests_; }
 
  private:
@@ -113,8 +113,8 @@ class RplidarDevice {
   std::optional<Time> boots_until_;
   bool is_scanning_ = false;
   std::optional<double> motor_speed_;  ///< share of full speed as it was told
-  double turn_rate_ = 0.0;
-  double turned_ = 0.0;  ///< clockwise from its 0 degrees, in revolutions, below 1
+  double revolution_rate_ = 0.0;
+  double revolved_ = 0.0;  ///< clockwise from its 0 degrees, in revolutions, below 1
   bool begins_revolution_ = false;
   std::uint64_t refused_requests_ = 0;
 };

@@ -44,7 +44,7 @@ Range MotionEnvelope::turn_rates(double elapsed) const {
   return {std::max(-most, omega - change), std::min(most, omega + change)};
 }
 
-Range MotionEnvelope::turned(double elapsed) const {
+Range MotionEnvelope::heading_change(double elapsed) const {
   const double omega = start_.twist.omega;
   const double most = std::max(bounds_.omega_max, std::abs(omega));
   return {-integral_up(-omega, bounds_.alpha, most, elapsed),
@@ -56,8 +56,8 @@ void MotionEnvelope::advance_to(double elapsed) {
     const double slice = std::min(kSlice, elapsed - elapsed_);
     elapsed_ += slice;
     const Range v = speeds(elapsed_);
-    const Range angle = turned(elapsed_);
-    const Range before = turned(elapsed_ - slice);  // a robot that turns can have been beyond
+    const Range angle = heading_change(elapsed_);
+    const Range before = heading_change(elapsed_ - slice);  // a robot that rotates can have been beyond
     for (int k = 0; k < kDirections; ++k) {
       const double direction = 2.0 * std::numbers::pi * k / kDirections - start_.pose.theta;
       const Range c =

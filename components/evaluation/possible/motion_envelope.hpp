@@ -1,4 +1,4 @@
-// What no motion can leave: speeds, headings and places that a robot with bounded accelerations can have
+// What no motion can leave: speeds, headings and positions that a robot with bounded accelerations can have
 // after a time.
 #pragma once
 
@@ -24,12 +24,12 @@ class MotionEnvelope {
   /// Turn rates [rad/s] likewise.
   Range turn_rates(double elapsed) const;
   /// Headings less the first one [rad], unwrapped, at `elapsed`.
-  Range turned(double elapsed) const;
+  Range heading_change(double elapsed) const;
 
   /// Moves the half-planes on to `elapsed` [s]; times rise.
   void advance_to(double elapsed);
   /// Columns [m] of the line y = const that the half-planes hold, each half-plane widened by `reach` (|n_x| +
-  /// |n_y|); low > high: none. Relative to the place of the start.
+  /// |n_y|); low > high: none. Relative to the position of the start.
   Range across(double y, double reach) const;
 
  private:

@@ -83,7 +83,7 @@ class Finder {
       if (auto found = follow_some(step, steps)) return found;
       if (step == steps) {
         for (std::size_t i = 0; i < layers_.back().size(); ++i)
-          if (auto found = proven(way_to(step, i))) return found;
+          if (auto found = proven(twists_to(step, i))) return found;
         return std::nullopt;
       }
       expand(step);
@@ -163,10 +163,10 @@ class Finder {
     const auto cell = [](double value, double size) {
       return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(value / size)) + 1024) & 0xfffU;
     };
-    return cell(node.pose.x - start_.pose.x, options_.place) |
-           cell(node.pose.y - start_.pose.y, options_.place) << 12 |
+    return cell(node.pose.x - start_.pose.x, options_.position) |
+           cell(node.pose.y - start_.pose.y, options_.position) << 12 |
            cell(node.pose.theta, options_.heading) << 24 | cell(node.twist.v, options_.speed) << 36 |
-           cell(node.twist.omega, options_.turn) << 48;
+           cell(node.twist.omega, options_.turn_rate) << 48;
   }
 
   void expand(int step) {
@@ -226,9 +226,9 @@ class Finder {
       for (const bool is_braking : {false, true}) {
         std::vector<Twist2> speeds;
         if (!follow(layer[order[k]], step, steps, is_braking, speeds)) continue;
-        Way way = way_to(step, order[k]);
-        way.insert(way.end(), speeds.begin(), speeds.end());
-        if (auto found = proven(way)) return found;
+        Twists twists = twists_to(step, order[k]);
+        twists.insert(twists.end(), speeds.begin(), speeds.end());
+        if (auto found = proven(twists)) return found;
       }
     }
     return std::nullopt;
@@ -251,28 +251,28 @@ class Finder {
   }
 
   /// Speeds at the end of each step.
-  using Way = std::vector<Twist2>;
+  using Twists = std::vector<Twist2>;
 
-  Way way_to(int step, std::size_t index) const {
-    Way way;
+  Twists twists_to(int step, std::size_t index) const {
+    Twists twists;
     for (int layer = step; layer > 0; --layer) {
       const Node& node = layers_[static_cast<std::size_t>(layer)][index];
-      way.push_back(node.twist);
+      twists.push_back(node.twist);
       index = static_cast<std::size_t>(node.parent);
     }
-    std::reverse(way.begin(), way.end());
-    return way;
+    std::reverse(twists.begin(), twists.end());
+    return twists;
   }
 
   /// Driven again in small steps.
-  std::optional<std::vector<MotionState>> proven(const Way& way) const {
+  std::optional<std::vector<MotionState>> proven(const Twists& twists) const {
     std::vector<MotionState> states{start_};
     Pose2 pose = start_.pose;
     Twist2 from = start_.twist;
     double time = start_.time;
     const int parts = static_cast<int>(std::lround(options_.step / kLookAgain));
     const int every = static_cast<int>(std::lround(kLook / kLookAgain));
-    for (const Twist2& to : way) {
+    for (const Twist2& to : twists) {
       for (int k = 1; k <= parts; ++k) {
         const Twist2 before = between(from, to, (k - 1.0) / parts);
         const Twist2 now = between(from, to, static_cast<double>(k) / parts);

@@ -15,13 +15,13 @@
 namespace bw::possible {
 
 struct FinderOptions {
-  double step = 0.2;       ///< h [s]
-  double place = 0.08;     ///< of a cell [m]
-  double heading = 0.2;    ///< of a cell [rad]
-  double speed = 0.15;     ///< of a cell [m/s]
-  double turn = 0.25;      ///< of a cell [rad/s]
-  int most_states = 4000;  ///< kept after a step
-  int followed = 12;       ///< states of a step that are followed to the end
+  double step = 0.2;        ///< h [s]
+  double position = 0.08;   ///< of a cell [m]
+  double heading = 0.2;     ///< of a cell [rad]
+  double speed = 0.15;      ///< of a cell [m/s]
+  double turn_rate = 0.25;  ///< of a cell [rad/s]
+  int most_states = 4000;   ///< kept after a step
+  int followed = 12;        ///< states of a step that are followed to the end
 };
 
 /// States 0.05 s apart from `start` until `until` [s]; nothing where none was found.

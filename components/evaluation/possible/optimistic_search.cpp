@@ -77,10 +77,10 @@ class OptimisticSearch {
                             std::max(0.0, until - start.time);
     const double half = std::min(options.half_width, farthest + 0.2);
     frame_ = {start.pose.position(), options.cell, 2 * static_cast<int>(half / options.cell) + 1};
-    // As many bins as there are, so that the fastest turn of a step is a whole number of them.
-    const double turn = std::max(bounds.omega_max, std::abs(start.twist.omega)) * options.step;
-    const double bins_of_turn = std::max(1.0, std::ceil(turn / 0.05 - 1e-9));
-    bins_ = std::max(8, static_cast<int>(std::floor(2.0 * std::numbers::pi * bins_of_turn / turn)));
+    // As many bins as there are, so that the fastest rotation of a step is a whole number of them.
+    const double rotation = std::max(bounds.omega_max, std::abs(start.twist.omega)) * options.step;
+    const double bins_of_rotation = std::max(1.0, std::ceil(rotation / 0.05 - 1e-9));
+    bins_ = std::max(8, static_cast<int>(std::floor(2.0 * std::numbers::pi * bins_of_rotation / rotation)));
     width_ = 2.0 * std::numbers::pi / bins_;
     for (std::vector<BitField>* fields : {&now_, &next_})
       fields->assign(static_cast<std::size_t>(bins_), BitField(frame_.side));
@@ -129,15 +129,16 @@ class OptimisticSearch {
     }
   }
 
-  /// False when something left the place looked at.
+  /// False when something left the area looked at.
   bool move(int step) {
     const double h = options_.step;
     for (BitField& field : next_) field.clear();
     const Range v = envelope_.speeds(step * h);
     const Range omega = envelope_.turn_rates(step * h);
-    const Range turned = envelope_.turned(step * h);
-    const bool is_all_round = turned.high - turned.low > 2.0 * std::numbers::pi - 2.0 * width_ ||
-                              turned.high > std::numbers::pi || turned.low < -std::numbers::pi;
+    const Range heading_change = envelope_.heading_change(step * h);
+    const bool is_all_round =
+        heading_change.high - heading_change.low > 2.0 * std::numbers::pi - 2.0 * width_ ||
+        heading_change.high > std::numbers::pi || heading_change.low < -std::numbers::pi;
     const int least = static_cast<int>(std::floor(omega.low * h / width_ + 1e-9));
     const int most = static_cast<int>(std::ceil(omega.high * h / width_ - 1e-9));
     const double swing = std::max(std::abs(omega.low), std::abs(omega.high)) * h;
@@ -148,7 +149,7 @@ class OptimisticSearch {
       for (int j = i + least; j <= i + most; ++j) {
         const double end_low = (j - 0.5) * width_;
         const double end_high = (j + 0.5) * width_;
-        if (!is_all_round && (end_low > turned.high || end_high < turned.low)) continue;
+        if (!is_all_round && (end_low > heading_change.high || end_high < heading_change.low)) continue;
         const double low = ((i + j - 1) * width_ - swing) / 2.0;
         const double high = ((i + j + 1) * width_ + swing) / 2.0;
         const std::vector<MoveRow> moves = moves_of(velocities(v, low, high), options_.cell);

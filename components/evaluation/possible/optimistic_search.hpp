@@ -1,6 +1,6 @@
 // Whether any motion can stay clear of everybody, asked so that "no" is a proof (theory.md 8.10).
 //
-// Kept is a set of cells (x, y, heading) that holds every place a robot can be at t_k = t_0 + k h without
+// Kept is a set of cells (x, y, heading) that holds every position a robot can be at t_k = t_0 + k h without
 // having been in contact at t_1 ... t_k. It is too large, never too small, because
 //  - speed and turn rate may take any value, at any moment, between what the accelerations allow since t_0:
 //    v_0 -+ A (t - t_0) and omega_0 -+ B (t - t_0), cut at the limits. A real motion changes them steadily.
@@ -25,7 +25,7 @@ namespace bw::possible {
 struct OptimisticSearchOptions {
   double step = 0.1;         ///< h [s]
   double cell = 0.01;        ///< c [m]
-  double half_width = 5.0;   ///< of the place looked at, around the start [m]; who leaves it has escaped
+  double half_width = 5.0;   ///< of the area looked at, around the start [m]; who leaves it has escaped
   double escape_area = 4.0;  ///< so much room left [m^2]: given up as unlikely to be a proof
 };
 

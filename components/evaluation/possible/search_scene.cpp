@@ -6,13 +6,14 @@ namespace bw::possible {
 
 std::optional<Vector2> Walk::at(double time) const {
   constexpr double kRounding = 1e-9;  // [s]
-  if (places.empty() || time < places.front().time - kRounding || time > places.back().time + kRounding)
+  if (positions.empty() || time < positions.front().time - kRounding ||
+      time > positions.back().time + kRounding)
     return std::nullopt;
-  const auto later = [](double t, const TimedPlace& place) { return t < place.time; };
-  const auto next = std::upper_bound(places.begin(), places.end(), time, later);
-  if (next == places.begin()) return places.front().position;
-  if (next == places.end()) return places.back().position;
-  const TimedPlace& before = *(next - 1);
+  const auto later = [](double t, const TimedPosition& timed) { return t < timed.time; };
+  const auto next = std::upper_bound(positions.begin(), positions.end(), time, later);
+  if (next == positions.begin()) return positions.front().position;
+  if (next == positions.end()) return positions.back().position;
+  const TimedPosition& before = *(next - 1);
   return before.position +
          (time - before.time) / (next->time - before.time) * (next->position - before.position);
 }

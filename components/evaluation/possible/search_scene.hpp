@@ -11,16 +11,16 @@
 
 namespace bw::possible {
 
-struct TimedPlace {
+struct TimedPosition {
   double time = 0.0;  ///< [s]
   Vector2 position{0.0, 0.0};
 };
 
-/// Somebody who walks as they did, whatever the robot does: linear between places, nowhere before the first
-/// and after the last. Times of `places` rise.
+/// Somebody who walks as they did, whatever the robot does: linear between positions, nowhere before the
+/// first and after the last. Times of `positions` rise.
 struct Walk {
   double radius = 0.3;  ///< [m]
-  std::vector<TimedPlace> places;
+  std::vector<TimedPosition> positions;
 
   std::optional<Vector2> at(double time) const;
 };

@@ -54,7 +54,7 @@ void MapPlanner::keep_map(const nav_msgs::msg::OccupancyGrid& message) {
   map_ = std::move(grid);
 }
 
-/// The map with what was seen last, at the place where its frame is in the map now.
+/// The map with what was seen last, at the position where its frame is in the map now.
 void MapPlanner::prepare() {
   if (map_frame_.empty()) return;
   StaticObstacles seen;

@@ -21,7 +21,7 @@
 
 namespace bw {
 
-/// A way to be planned. The last stop is the goal.
+/// A path to be planned. The last stop is the goal.
 struct RouteRequest {
   std::optional<geometry_msgs::msg::PoseStamped> start;  ///< nothing: where the robot is
   std::vector<geometry_msgs::msg::PoseStamped> stops;

@@ -12,7 +12,7 @@ struct BenchBagArguments {
   std::string compression = "none";  ///< of that bag: none, lz4, zstd
   double write_gb = 1.0;             ///< of messages written in each compression [10^9 bytes]
   std::string read;                  ///< an existing bag to open, search and read; then nothing is written
-  int seeks = 100;                   ///< random places
+  int seeks = 100;                   ///< random positions
   bool keep = false;                 ///< does not delete the large bag
   std::uint64_t seed = 1;
   std::string json;  ///< output file; empty: none

@@ -42,7 +42,7 @@ void print_range(const char* what, const std::vector<Course>& courses) {
           "{}: filled {:.3f} to {:.3f}, clearance along the shortest way {:.2f} to {:.2f} m, widest way's "
           "narrowest place {:.2f} to {:.2f} m from a cylinder, way {:.2f} to {:.2f} m\n",
           what, ranges.least.filled, ranges.most.filled, ranges.least.clearance, ranges.most.clearance,
-          ranges.least.narrowest, ranges.most.narrowest, ranges.least.way, ranges.most.way)
+          ranges.least.narrowest, ranges.most.narrowest, ranges.least.path_length, ranges.most.path_length)
           .c_str());
 }
 
@@ -52,7 +52,7 @@ void print(const Course& course, const CourseOutcome& outcome) {
       fmt::format(
           "{:10} filled {:.3f} clearance {:.2f} narrowest {:.2f} way {:5.2f}  {:8} {:6.2f} s gap {:.3f} m score {:.3f} {}\n",
           outcome.name, course.measures.filled, course.measures.clearance, course.measures.narrowest,
-          course.measures.way,
+          course.measures.path_length,
           !outcome.reached       ? "failed"
           : outcome.contacts > 0 ? "contact"
                                  : "reached",
@@ -66,7 +66,7 @@ Json to_json(const Course& course, const CourseOutcome& outcome) {
           {"filled", course.measures.filled},
           {"clearance_m", course.measures.clearance},
           {"narrowest_m", course.measures.narrowest},
-          {"way_m", course.measures.way},
+          {"way_m", course.measures.path_length},
           {"success", outcome.success()},
           {"reached", outcome.reached},
           {"contacts", outcome.contacts},

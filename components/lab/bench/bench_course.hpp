@@ -39,7 +39,7 @@ struct CourseOutcome {
       0.0;  ///< between outline and cylinders, at ten looks a second until then [m]; negative: overlapping
   int contacts = 0;         ///< with cylinders, of the whole drive
   double time = 0.0;        ///< until it was there, or was given up [s]
-  double best_time = 0.0;   ///< OT: the shortest way at 2 m/s [s]
+  double best_time = 0.0;   ///< OT: the shortest path at 2 m/s [s]
   double score = 0.0;       ///< success OT / clip(time, 2 OT, 8 OT)
   double mean_cycle = 0.0;  ///< CPU of a planning cycle [ms]
   std::string reason;       ///< what the navigator said

@@ -44,7 +44,7 @@ class PostsFile {
 };
 
 /// When the robot was first so near to the goal [s since the start of the drive]: between two moments, at the
-/// share of the way.
+/// share of the distance.
 std::optional<double> time_of_arrival(const RunRecording& course) {
   const Vector2 goal(kCourseLength, 0.0);
   double before = 0.0;
@@ -60,7 +60,7 @@ std::optional<double> time_of_arrival(const RunRecording& course) {
   return std::nullopt;
 }
 
-// Reckoned from the way that was driven, beside the contacts that the world counts.
+// Reckoned from the path that was driven, beside the contacts that the world counts.
 double least_gap(const RunRecording& course, const CourseWorld& world, double until) {
   double least = std::numeric_limits<double>::infinity();
   for (const RecordedMoment& moment : course.moments) {
@@ -115,7 +115,7 @@ CourseOutcome drive_course(const Course& course, const std::string& planner,
   }
   const DriveResult result = drive(std::move(graph), settings);
   CourseOutcome outcome{.name = course.world.name, .time = kCourseLimit};
-  outcome.best_time = course.measures.way / kCourseSpeed;
+  outcome.best_time = course.measures.path_length / kCourseSpeed;
   outcome.contacts = result.json.value("collisions", 0);
   outcome.reason = result.json.value("reason", "");
   outcome.samples_sha256 = result.json.value("samples_sha256", "");

@@ -72,8 +72,8 @@ CourseWorld world_of(const Field& field) {
 }  // namespace
 
 CourseRanges given_ranges() {
-  return {.least = {.filled = 0.104, .way = 10.0, .clearance = 0.961, .narrowest = 0.375},
-          .most = {.filled = 0.266, .way = 10.46, .clearance = 1.489, .narrowest = 0.975}};
+  return {.least = {.filled = 0.104, .path_length = 10.0, .clearance = 0.961, .narrowest = 0.375},
+          .most = {.filled = 0.266, .path_length = 10.46, .clearance = 1.489, .narrowest = 0.975}};
 }
 
 GeneratedCourse generate_course(std::uint64_t seed, const CourseRanges& ranges) {

@@ -21,7 +21,7 @@ struct GeneratedCourse {
 /// The course of a seed: each cell of the field between the side walls is filled with a probability drawn
 /// from 0.1 to 0.45, then a cell with five filled neighbours or more of eight is filled and one with fewer
 /// than two emptied, one to three times over.
-/// Drawn again until filled share, clearance along the shortest way and width of the widest way lie within
+/// Drawn again until filled share, clearance along the shortest path and width of the widest path lie within
 /// `ranges`. Throws std::runtime_error when 100,000 draws did not.
 GeneratedCourse generate_course(std::uint64_t seed, const CourseRanges& ranges = given_ranges());
 

@@ -128,7 +128,7 @@ CourseMeasures measure(const CourseWorld& world) {
         return nodes.clearance(n) < kCourseInscribed ? kNever : value + length;
       });
   if (!(key[goal] < kNever)) return m;
-  m.way = key[goal];
+  m.path_length = key[goal];
   int count = 0;
   for (std::size_t i = goal;; i = before[i]) {
     m.clearance += nodes.clearance(i);
@@ -143,7 +143,7 @@ bool CourseRanges::contain(const CourseMeasures& m) const {
   const auto within = [&](double CourseMeasures::*measure) {
     return m.*measure >= least.*measure && m.*measure <= most.*measure;
   };
-  return m.way > 0.0 && within(&CourseMeasures::filled) && within(&CourseMeasures::clearance) &&
+  return m.path_length > 0.0 && within(&CourseMeasures::filled) && within(&CourseMeasures::clearance) &&
          within(&CourseMeasures::narrowest);
 }
 
@@ -151,8 +151,8 @@ CourseRanges ranges_of(const std::vector<CourseMeasures>& measures) {
   if (measures.empty()) throw std::invalid_argument("no course to take ranges from");
   CourseRanges ranges{measures.front(), measures.front()};
   for (const CourseMeasures& m : measures) {
-    for (const auto measure : {&CourseMeasures::filled, &CourseMeasures::way, &CourseMeasures::clearance,
-                               &CourseMeasures::narrowest}) {
+    for (const auto measure : {&CourseMeasures::filled, &CourseMeasures::path_length,
+                               &CourseMeasures::clearance, &CourseMeasures::narrowest}) {
       ranges.least.*measure = std::min(ranges.least.*measure, m.*measure);
       ranges.most.*measure = std::max(ranges.most.*measure, m.*measure);
     }

@@ -80,7 +80,7 @@ class WalkKeeper {
   }
   void keep(double time, const CrowdPeople& people) {
     for (std::size_t k = 0; k < obstacles_.size(); ++k)
-      walks_[k].places.push_back({time, people.position(obstacles_[k])});
+      walks_[k].positions.push_back({time, people.position(obstacles_[k])});
   }
   std::vector<possible::Walk> take() && { return std::move(walks_); }
 

@@ -12,11 +12,11 @@
 namespace bw {
 namespace {
 
-constexpr double kLeastWay = 4.0;    // [m] from start to goal
-constexpr double kFreeAtGoal = 0.1;  // [m] edge to edge of static discs
-constexpr double kLeastSpeed = 0.3;  // [m/s]
-constexpr double kMaxSpeed = 1.2;    // [m/s]
-constexpr double kRounding = 1e-9;   // [s]
+constexpr double kLeastDistance = 4.0;  // [m] from start to goal
+constexpr double kFreeAtGoal = 0.1;     // [m] edge to edge of static discs
+constexpr double kLeastSpeed = 0.3;     // [m/s]
+constexpr double kMaxSpeed = 1.2;       // [m/s]
+constexpr double kRounding = 1e-9;      // [s]
 
 /// FNV-1a, the same on every system.
 std::uint64_t seed_of(const std::string& name) {
@@ -32,9 +32,9 @@ StaticScene statics_of(const Scene& scene) {
   return {shapes, std::nullopt};
 }
 
-bool is_free(const Scene& scene, const Vector2& place, double radius) {
+bool is_free(const Scene& scene, const Vector2& position, double radius) {
   return std::all_of(scene.obstacles.begin(), scene.obstacles.end(), [&](const SceneObstacle& o) {
-    return o.moves() || (o.position - place).norm() >= o.radius + radius + kFreeAtGoal;
+    return o.moves() || (o.position - position).norm() >= o.radius + radius + kFreeAtGoal;
   });
 }
 
@@ -45,7 +45,7 @@ Vector2 draw_goal(const Scene& scene, const SceneBox& box, const SceneObstacle& 
     const double x = random.uniform(box.x_min + walker.radius, box.x_max - walker.radius);
     const double y = random.uniform(box.y_min + walker.radius, box.y_max - walker.radius);
     goal = {x, y};
-    if ((goal - walker.position).norm() >= kLeastWay && is_free(scene, goal, walker.radius)) break;
+    if ((goal - walker.position).norm() >= kLeastDistance && is_free(scene, goal, walker.radius)) break;
   }
   return goal;
 }

@@ -24,12 +24,12 @@ std::vector<JudgedContact> judge_crowd(const Scene& scene, const SceneFile& file
     possible::Walk walk;
     walk.radius = obstacle.radius;
     for (int k = 0; k <= std::lround(until / kStep); ++k)
-      walk.places.push_back({kStep * k, position_at(obstacle, rule.box, kStep * k)});
+      walk.positions.push_back({kStep * k, position_at(obstacle, rule.box, kStep * k)});
     searched.walks.push_back(std::move(walk));
   }
   if (!episode.walks.empty()) {
     searched.walks = episode.walks;
-    until = episode.walks.front().places.back().time;
+    until = episode.walks.front().positions.back().time;
   }
   return judge_contacts(episode.contacts, searched, episode.states, until, file.limits);
 }

@@ -13,12 +13,12 @@ constexpr double kWidening = 0.01;  // [m]
 Vector2 crowdnav_orca(const CrowdNavAgent& self, const Vector2& goal,
                       const std::vector<CrowdNavAgent>& others, double safety_space) {
   const double radius = kCrowdNavRadius + kWidening + safety_space;
-  const Vector2 way = goal - self.position;
-  const double distance = way.norm();
+  const Vector2 to_goal = goal - self.position;
+  const double distance = to_goal.norm();
   const orca::Agent agent{.position = self.position,
                           .velocity = self.velocity,
                           .radius = radius,
-                          .wanted = distance > 1.0 ? Vector2(way / distance) : way,
+                          .wanted = distance > 1.0 ? Vector2(to_goal / distance) : to_goal,
                           .v_max = kTopSpeed};
   std::vector<orca::Neighbour> neighbours;
   neighbours.reserve(others.size());

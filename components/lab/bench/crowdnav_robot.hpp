@@ -41,8 +41,8 @@ class CrowdNavRobot {
 std::unique_ptr<CrowdNavRobot> holonomic_orca_robot(const CrowdNavScene& scene, double safety_space,
                                                     const CpuClock& clock);
 
-/// Limits of bench crowd; every 0.1 s the planner gets the true places and velocities. Gaps by what everybody
-/// really does. `planner` must outlive the robot, and should be new.
+/// Limits of bench crowd; every 0.1 s the planner gets the true positions and velocities. Gaps by what
+/// everybody really does. `planner` must outlive the robot, and should be new.
 std::unique_ptr<CrowdNavRobot> planner_robot(const CrowdNavScene& scene, LocalPlanner& planner,
                                              const CpuClock& clock);
 

@@ -10,26 +10,26 @@ namespace {
 constexpr std::uint32_t kFirstTestSeed = 1000;
 constexpr double kCircle = 4.0;                         // [m] radius
 constexpr double kSquare = 10.0;                        // [m] side
-constexpr double kApart = 2.0 * kCrowdNavRadius + 0.2;  // [m] between places
+constexpr double kApart = 2.0 * kCrowdNavRadius + 0.2;  // [m] between positions
 
-bool is_near(const Vector2& place, const std::vector<Vector2>& taken) {
+bool is_near(const Vector2& position, const std::vector<Vector2>& taken) {
   return std::any_of(taken.begin(), taken.end(),
-                     [&](const Vector2& other) { return (place - other).norm() < kApart; });
+                     [&](const Vector2& other) { return (position - other).norm() < kApart; });
 }
 
-/// Places that are taken.
-struct Places {
+/// Positions that are taken.
+struct TakenPositions {
   std::vector<Vector2> starts;
   std::vector<Vector2> goals;
 };
 
-CrowdNavPerson across_the_circle(CrowdNavRandom& random, const Places& taken) {
+CrowdNavPerson across_the_circle(CrowdNavRandom& random, const TakenPositions& taken) {
   while (true) {
     const double angle = 2.0 * std::numbers::pi * random.uniform();
     const double x = kCircle * std::cos(angle) + random.uniform() - 0.5;
     const double y = kCircle * std::sin(angle) + random.uniform() - 0.5;
-    const Vector2 place(x, y);
-    if (!is_near(place, taken.starts) && !is_near(place, taken.goals)) return {place, -place};
+    const Vector2 position(x, y);
+    if (!is_near(position, taken.starts) && !is_near(position, taken.goals)) return {position, -position};
   }
 }
 
@@ -41,7 +41,7 @@ Vector2 in_half(CrowdNavRandom& random, double sign, const std::vector<Vector2>&
   }
 }
 
-CrowdNavPerson across_the_square(CrowdNavRandom& random, const Places& taken) {
+CrowdNavPerson across_the_square(CrowdNavRandom& random, const TakenPositions& taken) {
   const double sign = random.uniform() > 0.5 ? -1.0 : 1.0;
   const Vector2 start = in_half(random, sign, taken.starts);
   return {start, in_half(random, -sign, taken.goals)};
@@ -54,7 +54,7 @@ CrowdNavScene crowdnav_scene(CrowdNavCrossing crossing, int test_case) {
   CrowdNavScene scene;
   scene.name = (is_circle ? "circle" : "square") + std::to_string(test_case);
   CrowdNavRandom random(kFirstTestSeed + static_cast<std::uint32_t>(test_case));
-  Places taken{{scene.start.position()}, {scene.goal}};
+  TakenPositions taken{{scene.start.position()}, {scene.goal}};
   for (CrowdNavPerson& person : scene.people) {
     person = is_circle ? across_the_circle(random, taken) : across_the_square(random, taken);
     taken.starts.push_back(person.start);

@@ -12,7 +12,7 @@
 namespace bw {
 
 enum class CrowdNavCrossing {
-  circle,  ///< of 4 m radius, each to the opposite place
+  circle,  ///< of 4 m radius, each to the opposite position
   square,  ///< of 10 m, each from one half to the other
 };
 

@@ -13,11 +13,11 @@ std::vector<JudgedContact> judge_crowdnav(const std::vector<possible::MotionStat
   for (std::size_t step = 0; step < walks.size(); ++step) {
     for (std::size_t i = 0; i < searched.walks.size(); ++i) {
       searched.walks[i].radius = kCrowdNavRadius;
-      searched.walks[i].places.push_back(
+      searched.walks[i].positions.push_back(
           {static_cast<double>(step) * kCrowdNavStep, walks[step][i].position});
     }
   }
-  const double known_until = searched.walks.front().places.back().time;
+  const double known_until = searched.walks.front().positions.back().time;
   ContactDiary diary;
   Footprint robot;
   robot.radius = kCrowdNavRadius;
@@ -28,10 +28,10 @@ std::vector<JudgedContact> judge_crowdnav(const std::vector<possible::MotionStat
     // The velocity of a step is that which its end has.
     const auto step = static_cast<std::size_t>(std::max(0.0, state.time / kCrowdNavStep - 1e-9)) + 1;
     for (std::size_t i = 0; i < searched.walks.size(); ++i) {
-      const std::optional<Vector2> place = searched.walks[i].at(state.time);
-      if (!place) continue;
+      const std::optional<Vector2> position = searched.walks[i].at(state.time);
+      if (!position) continue;
       const Vector2 velocity = walks[std::min(step, walks.size() - 1)][i].velocity;
-      sample.people.push_back({static_cast<std::uint32_t>(i) + 1, *place, velocity, kCrowdNavRadius});
+      sample.people.push_back({static_cast<std::uint32_t>(i) + 1, *position, velocity, kCrowdNavRadius});
     }
     diary.add(state.time, sample, robot);
   }

@@ -83,9 +83,9 @@ class Reading {
   bag::BagMessage message_;
 };
 
-class PlaceReader {
+class FrameReader {
  public:
-  explicit PlaceReader(const PeopleTopics& topics) : topics_(topics) {}
+  explicit FrameReader(const PeopleTopics& topics) : topics_(topics) {}
 
   void take(const Reading& reading) {
     if (reading.is(kScan)) {
@@ -96,37 +96,37 @@ class PlaceReader {
       if (reading.into(transforms_)) on_transforms(reading.topic() == "/tf_static");
     } else if (bandwagon_msgs::msg::GroundTruth truth; reading.into(truth)) {
       TruthSample sample = to_truth(truth);
-      if (is_sound(sample)) places.truth.push_back(std::move(sample));
+      if (is_sound(sample)) bag_frames.truth.push_back(std::move(sample));
     }
   }
 
-  PeoplePlaces places;
+  PeopleFrames bag_frames;
 
  private:
   void on_scan() {
     const Time stamp = from_stamp(scan_.header().stamp());
-    if (places.scans++ > 0) return;
-    places.first_scan = stamp;
-    places.laser_frame = scan_.header().frame_id();
+    if (bag_frames.scans++ > 0) return;
+    bag_frames.first_scan = stamp;
+    bag_frames.laser_frame = scan_.header().frame_id();
   }
 
   void on_odometry() {
     const Pose2 X_OB = from_pose(odometry_.pose().pose());
     if (is_finite(X_OB))
-      place(topics_.base_frame, from_stamp(odometry_.header().stamp()), spatial(X_OB), false);
+      set_frame(topics_.base_frame, from_stamp(odometry_.header().stamp()), spatial(X_OB), false);
   }
 
   void on_transforms(bool is_static) {
     for (const auto& t : transforms_.transforms()) {
       const bool is_base = t.child_frame_id() == topics_.base_frame;
       if (is_base && topics_.odometry != OdometrySource::transforms) continue;  // the odometry tells
-      places.frames.set(t.header().frame_id(), t.child_frame_id(), from_stamp(t.header().stamp()),
-                        to_isometry(t.transform()), is_static);
+      bag_frames.frames.set(t.header().frame_id(), t.child_frame_id(), from_stamp(t.header().stamp()),
+                            to_isometry(t.transform()), is_static);
     }
   }
 
-  void place(const std::string& child, Time stamp, const Eigen::Isometry3d& X_OC, bool is_static) {
-    places.frames.set(topics_.odom_frame, child, stamp, X_OC, is_static);
+  void set_frame(const std::string& child, Time stamp, const Eigen::Isometry3d& X_OC, bool is_static) {
+    bag_frames.frames.set(topics_.odom_frame, child, stamp, X_OC, is_static);
   }
 
   const PeopleTopics& topics_;
@@ -185,7 +185,7 @@ PeopleTopics choose_topics(const bag::Bag& recording, Graph& graph, ComponentNod
   return topics;
 }
 
-std::optional<Pose2> PeoplePlaces::in_odom(const PeopleTopics& topics, const std::string& frame,
+std::optional<Pose2> PeopleFrames::in_odom(const PeopleTopics& topics, const std::string& frame,
                                            Time time) const {
   if (frame == topics.odom_frame) return Pose2{};
   if (topics.odometry == OdometrySource::standing && frame == topics.base_frame) return Pose2{};
@@ -194,22 +194,22 @@ std::optional<Pose2> PeoplePlaces::in_odom(const PeopleTopics& topics, const std
   return is_unplaced ? in_odom(topics, topics.base_frame, time) : std::nullopt;
 }
 
-PeoplePlaces read_places(const bag::Bag& recording, const PeopleTopics& topics) {
-  PlaceReader reader(topics);
+PeopleFrames read_frames(const bag::Bag& recording, const PeopleTopics& topics) {
+  FrameReader reader(topics);
   const Duration whole = recording.end() - recording.start() + Duration::seconds(1.0);
-  reader.places.frames = TransformTree(whole);
+  reader.bag_frames.frames = TransformTree(whole);
   if (topics.odometry == OdometrySource::standing)
-    reader.places.frames.set(topics.odom_frame, topics.base_frame, recording.start(),
-                             Eigen::Isometry3d::Identity(), true);
+    reader.bag_frames.frames.set(topics.odom_frame, topics.base_frame, recording.start(),
+                                 Eigen::Isometry3d::Identity(), true);
   Reading reading(recording, {topics.scan, topics.odom, topics.truth, "/tf", "/tf_static"});
   while (reading.next()) reader.take(reading);
-  if (reader.places.scans == 0) throw std::runtime_error("no scan of " + topics.scan + " can be read");
-  std::ranges::stable_sort(reader.places.truth, {}, &TruthSample::time);
-  return std::move(reader.places);
+  if (reader.bag_frames.scans == 0) throw std::runtime_error("no scan of " + topics.scan + " can be read");
+  std::ranges::stable_sort(reader.bag_frames.truth, {}, &TruthSample::time);
+  return std::move(reader.bag_frames);
 }
 
 std::vector<people::LabelledInstant> true_instants(const bag::Bag& recording, const PeopleTopics& topics,
-                                                   const PeoplePlaces& places, double range,
+                                                   const PeopleFrames& bag_frames, double range,
                                                    const std::set<Time>& stamps) {
   std::vector<people::LabelledInstant> instants;
   Reading reading(recording, {topics.scan});
@@ -217,12 +217,12 @@ std::vector<people::LabelledInstant> true_instants(const bag::Bag& recording, co
   while (reading.next()) {
     if (!reading.into(scan)) continue;
     const Time time = time_of(scan);
-    const auto truth = truth_at(places.truth, time);
-    const auto X_OB = places.in_odom(topics, topics.base_frame, time);
-    const auto X_OL = places.in_odom(topics, scan.header().frame_id(), time);
+    const auto truth = truth_at(bag_frames.truth, time);
+    const auto X_OB = bag_frames.in_odom(topics, topics.base_frame, time);
+    const auto X_OL = bag_frames.in_odom(topics, scan.header().frame_id(), time);
     if (!stamps.contains(time) || !truth || !X_OB || !X_OL) continue;
     const Pose2 X_OM = *X_OB * inverse(truth->X_MB);
-    people::LabelledInstant instant{.time = (time - places.first_scan).to_seconds()};
+    people::LabelledInstant instant{.time = (time - bag_frames.first_scan).to_seconds()};
     for (const TruePerson& person : truth->people)
       instant.people.push_back({person.id, X_OM * person.position, rotate(X_OM, person.velocity)});
     people::look_for(to_sweep(scan, *X_OL), range, instant.people);

@@ -37,7 +37,7 @@ PeopleTopics choose_topics(const bag::Bag& recording, Graph& graph, ComponentNod
                            const std::string& scan, const std::string& odom, bool is_standing);
 
 /// Frames over the whole bag, and the truth.
-struct PeoplePlaces {
+struct PeopleFrames {
   TransformTree frames;
   Time first_scan;
   std::size_t scans = 0;
@@ -49,12 +49,12 @@ struct PeoplePlaces {
 };
 
 /// Throws std::runtime_error for a bag without a single scan.
-PeoplePlaces read_places(const bag::Bag& recording, const PeopleTopics& topics);
+PeopleFrames read_frames(const bag::Bag& recording, const PeopleTopics& topics);
 
 /// Everybody at the sweeps of these stamps, in odom, as the world knew them; who counts: `look_for`
 /// (sweep_view.hpp).
 std::vector<people::LabelledInstant> true_instants(const bag::Bag& recording, const PeopleTopics& topics,
-                                                   const PeoplePlaces& places, double range,
+                                                   const PeopleFrames& bag_frames, double range,
                                                    const std::set<Time>& stamps);
 
 }  // namespace bw

@@ -25,8 +25,8 @@ const Vector2 kNowhere = Vector2::Constant(std::numeric_limits<double>::quiet_Na
 
 struct Sighting {
   double time;
-  Vector2 place;
-  double distance;  ///< from the robot; NaN where its place is not known
+  Vector2 position;
+  double distance;  ///< from the robot; NaN where its position is not known
   bool is_confirmed;
 };
 using Tracks = std::map<std::uint32_t, std::vector<Sighting>>;
@@ -50,9 +50,9 @@ Color color_of(std::uint32_t id) {
 }
 
 /// A track, thin and dashed while it is only possible. What is not `shown` interrupts it.
-template <class Place>
+template <class Position>
 void add_track(report::Chart& chart, std::uint32_t id, const std::vector<Sighting>& track,
-               const Place& place) {
+               const Position& position_of) {
   report::Series confirmed{"confirmed track", {.color = color_of(id), .width = 1.7, .opacity = 0.85}};
   report::Series possible{
       "possible person", {.color = color_of(id), .dash = report::Dash::dashes, .width = 1.0, .opacity = 0.6}};
@@ -62,9 +62,9 @@ void add_track(report::Chart& chart, std::uint32_t id, const std::vector<Sightin
     report::Series& other = sighting.is_confirmed ? possible : confirmed;
     const bool goes_on = last != nullptr && sighting.time - last->time <= kPause;
     if (!goes_on) now.points.push_back(kNowhere);
-    if (goes_on && last->is_confirmed != sighting.is_confirmed) other.points.push_back(place(sighting));
+    if (goes_on && last->is_confirmed != sighting.is_confirmed) other.points.push_back(position_of(sighting));
     if (last != nullptr && last->is_confirmed != sighting.is_confirmed) other.points.push_back(kNowhere);
-    now.points.push_back(place(sighting));
+    now.points.push_back(position_of(sighting));
     last = &sighting;
   }
   for (report::Series* series : {&confirmed, &possible})
@@ -103,7 +103,7 @@ report::Chart floor_chart(const PeopleRun& run, const Tracks& tracks, const std:
   if (!robot.points.empty()) plan.marks.push_back({.at = robot.points.back()});
   plan.series.push_back(std::move(robot));
   for (const auto& [id, track] : tracks)
-    add_track(plan, id, track, [&](const Sighting& s) { return is_shown(s.time) ? s.place : kNowhere; });
+    add_track(plan, id, track, [&](const Sighting& s) { return is_shown(s.time) ? s.position : kNowhere; });
   return plan;
 }
 

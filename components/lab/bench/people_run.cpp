@@ -42,7 +42,7 @@ ComponentNode& component_of(Graph& graph, const std::string& name) {
 
 /// Labels as seen from odom.
 std::vector<people::LabelledInstant> in_odom(const people::PersonLabels& labels, const PeopleTopics& topics,
-                                             const PeoplePlaces& places, double end) {
+                                             const PeopleFrames& bag_frames, double end) {
   const auto fail = [&](const people::PersonLabel& label, const std::string& what) {
     throw std::runtime_error(fmt::format("{}:{}: {}", labels.file, label.line, what));
   };
@@ -50,13 +50,13 @@ std::vector<people::LabelledInstant> in_odom(const people::PersonLabels& labels,
   std::vector<people::LabelledInstant> instants;
   for (const people::PersonLabel& label : labels.rows) {
     const Time stamp =
-        labels.has_stamps ? Time::seconds(label.time) : places.first_scan + Duration::seconds(label.time);
-    const double time = labels.has_stamps ? (stamp - places.first_scan).to_seconds() : label.time;
+        labels.has_stamps ? Time::seconds(label.time) : bag_frames.first_scan + Duration::seconds(label.time);
+    const double time = labels.has_stamps ? (stamp - bag_frames.first_scan).to_seconds() : label.time;
     if (time < -0.5 || time > end + 0.5)
       fail(label,
            fmt::format("column {}: {} is not within the scans, which last {:.3f} s from {:.3f} on", column,
-                       label.time, end, labels.has_stamps ? places.first_scan.to_seconds() : 0.0));
-    const auto X_OF = places.in_odom(topics, label.frame, stamp);
+                       label.time, end, labels.has_stamps ? bag_frames.first_scan.to_seconds() : 0.0));
+    const auto X_OF = bag_frames.in_odom(topics, label.frame, stamp);
     if (!X_OF)
       fail(label, fmt::format("column frame: no transform from '{}' to '{}' at that time in the bag",
                               label.frame, topics.odom_frame));
@@ -81,7 +81,7 @@ class PeopleBench {
   }
 
   PeopleRun run() {
-    places_ = read_places(recording_, topics_);
+    frames_ = read_frames(recording_, topics_);
     track();
     label();
     return std::move(run_);
@@ -99,7 +99,7 @@ class PeopleBench {
                           on_output(sample...);
                         }});
     run_.bag = std::filesystem::path(arguments_.bag).filename().string();
-    run_.scans = places_.scans;
+    run_.scans = frames_.scans;
     run_.notes = std::move(result.notes);
     if (result.malformed > 0)
       run_.notes.push_back(fmt::format("{} messages of the bag do not fit their type", result.malformed));
@@ -112,21 +112,21 @@ class PeopleBench {
     if (topic != tracks_ || !deserialize(cdr, message)) return;
     const Time stamp = from_stamp(message.header().stamp());
     stamps_.insert(stamp);
-    run_.sweeps.push_back({(stamp - places_.first_scan).to_seconds(), people::from_tracks(message)});
-    const auto X_OB = places_.in_odom(topics_, topics_.base_frame, stamp);
+    run_.sweeps.push_back({(stamp - frames_.first_scan).to_seconds(), people::from_tracks(message)});
+    const auto X_OB = frames_.in_odom(topics_, topics_.base_frame, stamp);
     run_.robot.push_back(X_OB ? std::optional(X_OB->position()) : std::nullopt);
   }
 
   void label() {
     for (const people::PersonLabels& labels : labels_) {
       run_.stretches.push_back({.name = std::filesystem::path(labels.file).filename().string(),
-                                .labels = in_odom(labels, topics_, places_, run_.duration)});
+                                .labels = in_odom(labels, topics_, frames_, run_.duration)});
     }
     if (labels_.empty() && arguments_.with_truth && !topics_.truth.empty()) {
       run_.is_truth = true;
       run_.stretches.push_back(
           {.name = topics_.truth,
-           .labels = true_instants(recording_, topics_, places_, arguments_.range, stamps_)});
+           .labels = true_instants(recording_, topics_, frames_, arguments_.range, stamps_)});
     }
     for (LabelledStretch& stretch : run_.stretches)
       stretch.score = people::score_stretch(stretch.labels, run_.sweeps, arguments_.scoring);
@@ -139,7 +139,7 @@ class PeopleBench {
   std::string component_;
   std::string tracks_;
   std::vector<people::PersonLabels> labels_;
-  PeoplePlaces places_;
+  PeopleFrames frames_;
   std::set<Time> stamps_;
   PeopleRun run_;
 };

@@ -20,7 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kWarmCycles = 10;
-constexpr int kPlacesWithoutLimits = 100;
+constexpr int kObstaclesWithoutLimits = 100;
 constexpr double kTimeout = 60.0;  // [s]
 constexpr double kArrived = 0.3;   // [m]
 constexpr int kEnoughIterations = 1000;
@@ -147,7 +147,7 @@ std::vector<ScalingRow> measure_scaling(Crowding crowding, const std::vector<int
                                         const std::string& planner, int repetitions) {
   std::vector<Samples> samples(counts.size());
   PlannerOptions without_limits;
-  without_limits.of<teb::TebOptions>("teb").band.max_obstacles_per_pose = kPlacesWithoutLimits;
+  without_limits.of<teb::TebOptions>("teb").band.max_obstacles_per_pose = kObstaclesWithoutLimits;
   std::vector<double> not_reported;
   for (int repetition = 0; repetition < repetitions; ++repetition) {
     for (std::size_t i = 0; i < counts.size(); ++i) {

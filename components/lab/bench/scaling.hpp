@@ -1,4 +1,4 @@
-// How planning scales with what is around the way: times, costs with and without limits, and drives.
+// How planning scales with what is around the path: times, costs with and without limits, and drives.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// One way of 12 m, and more and more beside it: what planning takes must not grow with that.
+// One path of 12 m, and more and more beside it: what planning takes must not grow with that.
 #pragma once
 
 #include <cstdint>

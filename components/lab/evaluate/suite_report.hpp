@@ -55,7 +55,7 @@ struct PlannerSummary {
   std::optional<double> max_index, median_index;
   std::optional<double> mean_time;                ///< [s] of the goals that were reached
   std::optional<double> mean_jerk;                ///< [m/s^3] of all drives
-  std::optional<double> mean_pose, max_pose;      ///< error of the robot's place, rms and largest [m]
+  std::optional<double> mean_pose, max_pose;      ///< error of the robot's position, rms and largest [m]
   std::optional<double> mean_ms, p95_ms, max_ms;  ///< of the planner; p95 is that of the worst drive
 };
 
@@ -67,7 +67,7 @@ std::vector<PlannerSummary> summarize(const SuiteResult& result);
 /// wilson95, possible, wilson95_possible, hits, contacts, contacts_at_speed, min_distance_m,
 /// closest_person_m, max_collision_index: {max, median}, mean_time_s, mean_rms_jerk_mps3, localization:
 /// {mean_rms_m, max_m}, planner_ms: {mean, p95, max}}}, episodes: [{name, seed, planner, success, possible,
-/// ... score card}]}. The robot's way is told of drives that failed, and their `page` where there is one.
+/// ... score card}]}. The robot's path is told of drives that failed, and their `page` where there is one.
 nlohmann::json to_json(const SuiteResult& result, const std::vector<PlannerSummary>& planners);
 
 /// The drives that failed with their contacts, and one table: a row for each suite and planner. Below it who

@@ -105,7 +105,7 @@ void add_crossing(report::Document& document, const AnticipationResults& results
         .figure(crossing_snapshots_figure(results.crossing, results.geometry,
                                           results.subject == "eteb" ? "Figures 3.7 and 3.11" : "Figure 3.7",
                                           results.crossing.front().runs.front().seed))
-        .figure(crossing_ways_figure(results.crossing, results.geometry, 0));
+        .figure(crossing_paths_figure(results.crossing, results.geometry, 0));
   document.table(crossing_rows(results.crossing))
       .heading("At the places first proposed", 3)
       .table(crossing_rows(results.proposed));

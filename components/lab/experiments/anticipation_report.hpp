@@ -17,7 +17,7 @@ struct AnticipationResults {
   std::string subject;                   ///< pteb or eteb
   CrossingGeometry geometry;             ///< of `crossing`
   std::vector<CrossingResult> crossing;  ///< default and published entries
-  std::vector<CrossingResult> proposed;  ///< default entries at the places first proposed
+  std::vector<CrossingResult> proposed;  ///< default entries at the positions first proposed
   std::vector<HallwayDrive> hallway;
 };
 

@@ -14,7 +14,7 @@ const std::vector<double> kStamps = {3.5, 5.0};  // [s] shortly before they meet
 constexpr double kShownTime = 20.0;              // [s]
 const Eigen::AlignedBox2d kView(Vector2(-0.7, -4.3), Vector2(10.7, 4.3));
 
-std::vector<Vector2> places(const std::vector<TrajectoryPoint>& trajectory) {
+std::vector<Vector2> positions(const std::vector<TrajectoryPoint>& trajectory) {
   std::vector<Vector2> points;
   for (const TrajectoryPoint& point : trajectory) points.push_back(point.pose.position());
   return points;
@@ -40,13 +40,13 @@ report::Chart snapshot_chart(const std::string& label, const CrossingSnapshot& m
   plan.show(kView);
   plan.series.push_back({"chosen band, with its headings",
                          {.color = Color::green, .width = 2.4},
-                         places(moment.plan.trajectory)});
+                         positions(moment.plan.trajectory)});
   for (const Candidate& candidate : moment.plan.candidates)
     if (!candidate.chosen)
       plan.series.push_back({"other candidates",
                              {.color = Color::grey, .dash = report::Dash::dashes, .width = 1.2},
-                             places(candidate.trajectory)});
-  plan.series.push_back({"driven so far", {.color = Color::blue, .width = 1.4}, moment.way});
+                             positions(candidate.trajectory)});
+  plan.series.push_back({"driven so far", {.color = Color::blue, .width = 1.4}, moment.path});
   add_arrows(plan, moment.plan.trajectory);
   plan.bodies.push_back({.center = moment.robot.position(),
                          .color = Color::blue,
@@ -67,9 +67,9 @@ void add_walkers(report::Chart& plan, const Scene& scene) {
   char name = 'A';
   for (const SceneObstacle& person : scene.obstacles) {
     for (int second = 0; second <= static_cast<int>(kShownTime); ++second) {
-      const Vector2 place = person.position + second * person.velocity;
-      if (kView.contains(place))
-        plan.bodies.push_back({.center = place,
+      const Vector2 position = person.position + second * person.velocity;
+      if (kView.contains(position))
+        plan.bodies.push_back({.center = position,
                                .radius = person.radius,
                                .label = name + std::to_string(second),
                                .name = "people, every second"});
@@ -79,7 +79,7 @@ void add_walkers(report::Chart& plan, const Scene& scene) {
 }
 
 /// A dot every second.
-void add_way(report::Chart& plan, const CrossingResult& result, std::size_t run, const Look& look) {
+void add_path(report::Chart& plan, const CrossingResult& result, std::size_t run, const Look& look) {
   plan.series.push_back({result.entry.planner, look});
   for (const TimedPosition& p : result.runs.at(run).path) {
     if (p.time > kShownTime || !kView.contains(p.position)) break;
@@ -112,8 +112,8 @@ report::Figure crossing_snapshots_figure(const std::vector<CrossingResult>& resu
   return figure;
 }
 
-report::Figure crossing_ways_figure(const std::vector<CrossingResult>& results,
-                                    const CrossingGeometry& geometry, std::size_t run) {
+report::Figure crossing_paths_figure(const std::vector<CrossingResult>& results,
+                                     const CrossingGeometry& geometry, std::size_t run) {
   const std::uint64_t seed = results.at(0).runs.at(run).seed;
   report::Figure figure{
       .title = "The whole ways",
@@ -127,7 +127,7 @@ report::Figure crossing_ways_figure(const std::vector<CrossingResult>& results,
     plan.show(kView);
     add_walkers(plan, scene);
     for (const CrossingResult& result : results)
-      if (is_published(result) == published) add_way(plan, result, run, report::look_of(plan.series.size()));
+      if (is_published(result) == published) add_path(plan, result, run, report::look_of(plan.series.size()));
     if (!plan.series.empty()) figure.add(plan);
   }
   return figure;

@@ -15,9 +15,9 @@ report::Figure crossing_snapshots_figure(const std::vector<CrossingResult>& resu
                                          const CrossingGeometry& geometry, const std::string& source,
                                          std::uint64_t seed);
 
-/// The whole ways of one seed: those of the defaults, and those of the published forms. Every result must
+/// The whole paths of one seed: those of the defaults, and those of the published forms. Every result must
 /// hold that run, by its index.
-report::Figure crossing_ways_figure(const std::vector<CrossingResult>& results,
-                                    const CrossingGeometry& geometry, std::size_t run);
+report::Figure crossing_paths_figure(const std::vector<CrossingResult>& results,
+                                     const CrossingGeometry& geometry, std::size_t run);
 
 }  // namespace bw

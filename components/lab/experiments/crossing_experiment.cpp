@@ -45,13 +45,13 @@ std::vector<CrossingSnapshot> crossing_snapshots(const CrossingEntry& entry, con
   const Scene scene = crossing_scene(geometry, seed);
   const std::unique_ptr<LocalPlanner> planner = make_planner(entry.planner, options_of(entry));
   std::vector<CrossingSnapshot> snapshots;
-  std::vector<Vector2> way{scene.start.position()};
+  std::vector<Vector2> path{scene.start.position()};
   drive_crowd(
       scene, crossing_rules(), *planner, process_cpu_ms,
-      [&way](double, const Pose2& pose, const Twist2&) { way.push_back(pose.position()); },
+      [&path](double, const Pose2& pose, const Twist2&) { path.push_back(pose.position()); },
       [&](double time, const PlanningProblem& problem, const PlanningResult& result) {
         if (snapshots.size() == times.size() || time + 1e-9 < times[snapshots.size()]) return;
-        snapshots.push_back({time, problem.pose, problem.movers, way, result});
+        snapshots.push_back({time, problem.pose, problem.movers, path, result});
       });
   return snapshots;
 }

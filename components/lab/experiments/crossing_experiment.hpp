@@ -36,7 +36,7 @@ struct CrossingSnapshot {
   double time = 0.0;  ///< [s]
   Pose2 robot;
   std::vector<Mover> people;  ///< A, then B
-  std::vector<Vector2> way;   ///< driven so far
+  std::vector<Vector2> path;  ///< driven so far
   PlanningResult plan;
 };
 

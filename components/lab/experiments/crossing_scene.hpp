@@ -1,4 +1,4 @@
-// Experiment E5 (protocols.md 8.5): a robot drives from left to right, two people cross its way and do not
+// Experiment E5 (protocols.md 8.5): a robot drives from left to right, two people cross its path and do not
 // react.
 // Metres, seconds, radians.
 //

@@ -36,8 +36,8 @@ void add_bodies(report::Chart& plan, const RunRecording& course) {
   }
 }
 
-void add_ways(report::Chart& plan, const RunRecording& course) {
-  std::map<std::uint32_t, std::size_t> open;  // way of each person
+void add_paths(report::Chart& plan, const RunRecording& course) {
+  std::map<std::uint32_t, std::size_t> open;  // path of each person
   report::Series robot{"robot", {.color = Color::blue, .width = 2.2}};
   for (const RecordedMoment& moment : course.moments) {
     robot.points.push_back(moment.X_MB.position());
@@ -63,7 +63,7 @@ report::Chart map_chart(const RunRecording& course) {
     if (course.map) plan.blocks = cell_blocks(*course.map, window, 65, 100);
   }
   plan.walls = course.shapes.segments;
-  add_ways(plan, course);
+  add_paths(plan, course);
   for (const Vector2& goal : course.goals)
     plan.bodies.push_back({goal, 0.15, Color::green, "", {0.0, 0.0}, "goal"});
   for (const Disc& disc : course.shapes.discs)

@@ -8,7 +8,7 @@
 
 namespace bw {
 
-/// Map with the robot's way and the people near it, speed, and distance to the nearest person over time.
+/// Map with the robot's path and the people near it, speed, and distance to the nearest person over time.
 /// `name`: "Eddie, EDWA, seed 1".
 report::Figure drive_figure(const RunRecording& course, const std::string& name, const std::string& caption);
 

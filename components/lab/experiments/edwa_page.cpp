@@ -63,22 +63,22 @@ void add_bodies(report::Chart& plan, const EdwaRow& row) {
   for (const FloorSample& sample : row.example) {
     if (sample.time + 1e-9 < next) continue;
     const std::string label = number % kNumberedBody == 0 ? fmt::format("{:.0f}", next) : "";
-    for (std::size_t i = 0; i < sample.places.size(); ++i)
-      plan.bodies.push_back({.center = sample.places[i], .color = kRobots[i % 4], .label = label});
+    for (std::size_t i = 0; i < sample.positions.size(); ++i)
+      plan.bodies.push_back({.center = sample.positions[i], .color = kRobots[i % 4], .label = label});
     next += kBetweenBodies;
     ++number;
   }
 }
 
-report::Chart ways_chart(const EdwaRow& row) {
+report::Chart paths_chart(const EdwaRow& row) {
   report::Chart plan = report::floor_plan(
       fmt::format("Scenario {}, {}: {}", row.scene + 1, to_string(row.pairing), outcome(row)));
   for (const FloorSample& sample : row.example) {
-    plan.series.resize(sample.places.size());
-    for (std::size_t i = 0; i < sample.places.size(); ++i) {
+    plan.series.resize(sample.positions.size());
+    for (std::size_t i = 0; i < sample.positions.size(); ++i) {
       plan.series[i].name = kRobotNames[i % 4];
       plan.series[i].look = {.color = kRobots[i % 4], .width = i == 0 ? 2.2 : 1.3};
-      plan.series[i].points.push_back(sample.places[i]);
+      plan.series[i].points.push_back(sample.positions[i]);
     }
   }
   add_bodies(plan, row);
@@ -87,14 +87,14 @@ report::Chart ways_chart(const EdwaRow& row) {
   return plan;
 }
 
-report::Figure ways(const EdwaTable& table) {
+report::Figure paths(const EdwaTable& table) {
   report::Figure figure{
       .title = "Figure 3.3 again: trajectories of the robot and of the others",
       .caption =
           "One run (the first seed). Bodies every 2 s, numbered [s] every 4 s; the robot "
           "under test starts at (0, 0). The source shows the scenes as pictures: places here "
           "are proposals. A run ends at the goal (16, 0) or on a contact."};
-  for (const EdwaRow& row : table.rows) figure.add(ways_chart(row));
+  for (const EdwaRow& row : table.rows) figure.add(paths_chart(row));
   return figure;
 }
 
@@ -204,7 +204,7 @@ report::Document edwa_page(const std::vector<EdwaResult>& results) {
       .text(
           "A robot over 16 m from rest among robots that plan for themselves; radius 0.3 m, 1 m/s, 0.35 rad/s, "
           "1 m/s², one command every 0.25 s.")
-      .figure(ways(table))
+      .figure(paths(table))
       .figure(courses(table, false))
       .figure(courses(table, true))
       .heading("Table 3.2")

@@ -14,8 +14,8 @@ constexpr double kAcross = 0.2;  // [m] jitter of a line
 constexpr double kAlong = 0.4;   // [m] jitter of a start on its line
 
 StartAndGoal errand(const Vector2& start, const Vector2& goal) {
-  const Vector2 way = goal - start;
-  const double theta = std::atan2(way.y(), way.x());
+  const Vector2 to_goal = goal - start;
+  const double theta = std::atan2(to_goal.y(), to_goal.x());
   return {{start.x(), start.y(), theta}, {goal.x(), goal.y(), theta}};
 }
 

@@ -1,5 +1,5 @@
 // The scenes of experiment E3 (Table 3.2; protocols.md 8.3). The dissertation shows them as a picture only:
-// start and goal places are proposals.
+// start and goal positions are proposals.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ constexpr int kEdwaScenes = 4;
 /// "S1 head-on", ...; `index` from 0.
 std::string_view edwa_scene_name(int index);
 
-/// Scene `index` (0 to 3) with the places of the others jittered by `seed`.
+/// Scene `index` (0 to 3) with the positions of the others jittered by `seed`.
 EdwaScene edwa_scene(int index, std::uint64_t seed);
 
 }  // namespace bw

@@ -26,13 +26,13 @@ constexpr double kCompassSigma = 0.0175;   // [rad]
 constexpr int kStepsPerReading = 10;       // 1 Hz
 constexpr double kSinusTime = 120.0;       // [s]
 
-double heading(EkfWay way, double t) {
-  if (way == EkfWay::circle) return std::numbers::pi / 2.0 + kSpeed / kRadius * t;
+double heading(EkfPath path, double t) {
+  if (path == EkfPath::circle) return std::numbers::pi / 2.0 + kSpeed / kRadius * t;
   return 0.8 * std::cos(2.0 * std::numbers::pi * t / 30.0);
 }
 
-int step_count(EkfWay way) {
-  const double time = way == EkfWay::circle ? 2.0 * std::numbers::pi * kRadius / kSpeed : kSinusTime;
+int step_count(EkfPath path) {
+  const double time = path == EkfPath::circle ? 2.0 * std::numbers::pi * kRadius / kSpeed : kSinusTime;
   return static_cast<int>(std::lround(time / kPeriod));
 }
 
@@ -73,10 +73,10 @@ EkfErrors summarise(const std::vector<EkfSample>& samples) {
 
 }  // namespace
 
-std::vector<EkfSample> drive_ekf(EkfWay way, const EkfSensorSet& sensors, EkfWheelNoise noise,
+std::vector<EkfSample> drive_ekf(EkfPath path, const EkfSensorSet& sensors, EkfWheelNoise noise,
                                  std::uint64_t seed) {
   Random random(seed);
-  Pose2 truth{0.0, 0.0, heading(way, 0.0)};
+  Pose2 truth{0.0, 0.0, heading(path, 0.0)};
   EkfOptions options;
   options.bias.gyro_bias = false;
   Ekf ekf(options);
@@ -84,24 +84,24 @@ std::vector<EkfSample> drive_ekf(EkfWay way, const EkfSensorSet& sensors, EkfWhe
   ekf.start_at(truth, 1e-6 * Eigen::Matrix3d::Identity(), start);
 
   std::vector<EkfSample> samples;
-  const int steps = step_count(way);
+  const int steps = step_count(path);
   for (int i = 1; i <= steps; ++i) {
     const Time now = start + Duration::milliseconds(100) * i;
-    const double turn = heading(way, i * kPeriod) - heading(way, (i - 1) * kPeriod);
-    const Twist2 travel{kSpeed * kPeriod, turn};
+    const double rotation = heading(path, i * kPeriod) - heading(path, (i - 1) * kPeriod);
+    const Twist2 travel{kSpeed * kPeriod, rotation};
     truth = advance_exact(truth, travel, 1.0);
     ekf.add(measured_step(now, to_wheel_speeds(travel, kSeparation), noise, random), now);
     if (i % kStepsPerReading == 0) {
       // Drawn whether used or not, so that every sensor set sees the same noise.
       const Vector2 east_north(random.normal(), random.normal());
-      const double turned = random.normal();
+      const double compass_error = random.normal();
       PositionFix fix;
       fix.time = now;
       fix.source = 1;
       fix.position = truth.position() + kReceiverSigma * east_north;
       fix.covariance = kReceiverSigma * kReceiverSigma * Eigen::Matrix2d::Identity();
       if (sensors.receiver) ekf.add(fix, now);
-      const HeadingReading compass{now, 2, wrap_angle(truth.theta + kCompassSigma * turned),
+      const HeadingReading compass{now, 2, wrap_angle(truth.theta + kCompassSigma * compass_error),
                                    kCompassSigma * kCompassSigma};
       if (sensors.compass) ekf.add(compass, now);
     }
@@ -110,16 +110,16 @@ std::vector<EkfSample> drive_ekf(EkfWay way, const EkfSensorSet& sensors, EkfWhe
   return samples;
 }
 
-EkfErrors run_ekf_experiment(EkfWay way, const EkfSensorSet& sensors, EkfWheelNoise noise,
+EkfErrors run_ekf_experiment(EkfPath path, const EkfSensorSet& sensors, EkfWheelNoise noise,
                              std::uint64_t seed) {
-  return summarise(drive_ekf(way, sensors, noise, seed));
+  return summarise(drive_ekf(path, sensors, noise, seed));
 }
 
-std::vector<EkfErrors> run_ekf_experiments(EkfWay way, const EkfSensorSet& sensors, EkfWheelNoise noise,
+std::vector<EkfErrors> run_ekf_experiments(EkfPath path, const EkfSensorSet& sensors, EkfWheelNoise noise,
                                            int seeds) {
   std::vector<EkfErrors> result;
   for (int seed = 1; seed <= seeds; ++seed)
-    result.push_back(run_ekf_experiment(way, sensors, noise, static_cast<std::uint64_t>(seed)));
+    result.push_back(run_ekf_experiment(path, sensors, noise, static_cast<std::uint64_t>(seed)));
   return result;
 }
 

@@ -1,5 +1,5 @@
-// Experiment E1 (protocols.md 8.1): the EKF of the dissertation's Figure 2.3 on a sine-like way and a circle,
-// with wheels alone, + receiver, + compass, + both. Setup of ekf/theory.md 3.3.
+// Experiment E1 (protocols.md 8.1): the EKF of the dissertation's Figure 2.3 on a sine-like path and a
+// circle, with wheels alone, + receiver, + compass, + both. Setup of ekf/theory.md 3.3.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace bw {
 
-enum class EkfWay { sinus, circle };
+enum class EkfPath { sinus, circle };
 
 /// What the filter believes of its wheels.
 enum class EkfWheelNoise {
@@ -50,15 +50,15 @@ struct EkfSample {
 };
 
 /// The course of one run; the same seed draws the same noise for every sensor set and wheel noise.
-std::vector<EkfSample> drive_ekf(EkfWay way, const EkfSensorSet& sensors, EkfWheelNoise noise,
+std::vector<EkfSample> drive_ekf(EkfPath path, const EkfSensorSet& sensors, EkfWheelNoise noise,
                                  std::uint64_t seed);
 
 /// One run.
-EkfErrors run_ekf_experiment(EkfWay way, const EkfSensorSet& sensors, EkfWheelNoise noise,
+EkfErrors run_ekf_experiment(EkfPath path, const EkfSensorSet& sensors, EkfWheelNoise noise,
                              std::uint64_t seed);
 
 /// Seeds 1 to `seeds`, in that order.
-std::vector<EkfErrors> run_ekf_experiments(EkfWay way, const EkfSensorSet& sensors, EkfWheelNoise noise,
+std::vector<EkfErrors> run_ekf_experiments(EkfPath path, const EkfSensorSet& sensors, EkfWheelNoise noise,
                                            int seeds);
 
 }  // namespace bw

@@ -1,4 +1,4 @@
-// The report of ekf_report.hpp: the source's Figures 2.2 to 2.4, and ways on recorded logs.
+// The report of ekf_report.hpp: the source's Figures 2.2 to 2.4, and paths on recorded logs.
 #include <algorithm>
 #include <array>
 
@@ -18,7 +18,7 @@ using report::Interval;
 using report::Look;
 using report::plain;
 
-constexpr double kDetail = 3.0;  // [m] about the end of the way
+constexpr double kDetail = 3.0;  // [m] about the end of the path
 const std::array<Look, kEkfSensorSets.size()> kLooks{{{.color = Color::grey, .dash = Dash::dashes},
                                                       {.color = Color::blue},
                                                       {.color = Color::vermilion, .dash = Dash::dashes},
@@ -46,18 +46,18 @@ report::Document top(const EkfReport& report) {
   return begin_report(screen);
 }
 
-std::string name_of(EkfWay way) { return way == EkfWay::sinus ? "Sinusoidal" : "Circular"; }
+std::string name_of(EkfPath path) { return path == EkfPath::sinus ? "Sinusoidal" : "Circular"; }
 
 /// The placed rows of one way, in the order of kEkfSensorSets.
-std::vector<const EkfRow*> placed_rows(const EkfReport& report, EkfWay way) {
+std::vector<const EkfRow*> placed_rows(const EkfReport& report, EkfPath path) {
   std::vector<const EkfRow*> rows;
   for (const EkfRow& row : report.rows)
-    if (row.way == way && row.noise == EkfWheelNoise::placed) rows.push_back(&row);
+    if (row.path == path && row.noise == EkfWheelNoise::placed) rows.push_back(&row);
   return rows;
 }
 
-report::Chart ways_chart(const std::vector<const EkfRow*>& rows, EkfWay way, bool detail) {
-  report::Chart plan = report::floor_plan(name_of(way) + (detail ? " trajectory, its end" : " trajectory"));
+report::Chart paths_chart(const std::vector<const EkfRow*>& rows, EkfPath path, bool detail) {
+  report::Chart plan = report::floor_plan(name_of(path) + (detail ? " trajectory, its end" : " trajectory"));
   std::vector<Vector2> truth;
   for (const EkfSample& sample : rows.front()->example) truth.push_back(sample.truth);
   if (detail && !truth.empty())
@@ -71,8 +71,8 @@ report::Chart ways_chart(const std::vector<const EkfRow*>& rows, EkfWay way, boo
   return plan;
 }
 
-report::Chart error_chart(const std::vector<const EkfRow*>& rows, EkfWay way) {
-  report::Chart chart{.title = name_of(way) + ": error of the position",
+report::Chart error_chart(const std::vector<const EkfRow*>& rows, EkfPath path) {
+  report::Chart chart{.title = name_of(path) + ": error of the position",
                       .x = {"time [s]"},
                       .y = {"NE [m], log scale", 0.01, 100.0, true}};
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -83,12 +83,12 @@ report::Chart error_chart(const std::vector<const EkfRow*>& rows, EkfWay way) {
   return chart;
 }
 
-report::Columns statistics_of(const std::vector<const EkfRow*>& rows, EkfWay way, bool variance) {
-  report::Columns all{.title = name_of(way) + (variance ? ": variance" : ": mean error"),
+report::Columns statistics_of(const std::vector<const EkfRow*>& rows, EkfPath path, bool variance) {
+  report::Columns all{.title = name_of(path) + (variance ? ": variance" : ": mean error"),
                       .y = {variance ? "variance [m²], log scale" : "ME [m], log scale",
                             variance ? 0.001 : 0.05, variance ? 10000.0 : 100.0, true},
                       .measured = "here: mean, 1 to 99 % of the seeds"};
-  const auto w = static_cast<std::size_t>(way);
+  const auto w = static_cast<std::size_t>(path);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const EkfRow& row = *rows[i];
     std::vector<double> figures;
@@ -110,12 +110,12 @@ report::Figure trajectories(const EkfReport& report) {
           "One run (seed 1). The fused ways lie within decimetres of the true one, so the end of each way is "
           "shown enlarged, and the error over time on a logarithmic scale. The source gives no lengths, "
           "rates or noises: shapes can be compared, places cannot."};
-  for (const EkfWay way : {EkfWay::sinus, EkfWay::circle}) {
-    const std::vector<const EkfRow*> rows = placed_rows(report, way);
+  for (const EkfPath path : {EkfPath::sinus, EkfPath::circle}) {
+    const std::vector<const EkfRow*> rows = placed_rows(report, path);
     if (rows.empty()) continue;
-    figure.add(ways_chart(rows, way, false));
-    figure.add(ways_chart(rows, way, true));
-    figure.add(error_chart(rows, way));
+    figure.add(paths_chart(rows, path, false));
+    figure.add(paths_chart(rows, path, true));
+    figure.add(error_chart(rows, path));
   }
   return figure;
 }
@@ -129,8 +129,8 @@ report::Figure statistics(const EkfReport& report) {
           "zero and is not judged.",
       .columns = 2};
   for (const bool variance : {false, true})
-    for (const EkfWay way : {EkfWay::sinus, EkfWay::circle})
-      figure.add(statistics_of(placed_rows(report, way), way, variance));
+    for (const EkfPath path : {EkfPath::sinus, EkfPath::circle})
+      figure.add(statistics_of(placed_rows(report, path), path, variance));
   return figure;
 }
 
@@ -144,15 +144,15 @@ report::Table figure_table(const EkfReport& report) {
                        "variance [m²]",
                        "rms [m]"});
   for (const EkfRow& row : report.rows) {
-    const auto w = static_cast<std::size_t>(row.way);
-    table.row({row.sensors.name, to_string(row.way), to_string(row.noise), row.sensors.published_mean[w],
+    const auto w = static_cast<std::size_t>(row.path);
+    table.row({row.sensors.name, to_string(row.path), to_string(row.noise), row.sensors.published_mean[w],
                Interval{row.mean.mean, quantile_of_means(row, 0.01), quantile_of_means(row, 0.99)},
                row.sensors.published_variance[w], row.mean.variance, row.mean.rms});
   }
   return table;
 }
 
-report::Figure recorded_ways(const RealDataResults& results) {
+report::Figure recorded_paths(const RealDataResults& results) {
   const report::Series kinds[] = {
       {.name = "reference: fixes, motion capture, or survey", .look = {.color = Color::grey}, .dots = true},
       {.name = "filter with its sensors", .look = {.color = Color::blue}},
@@ -162,9 +162,9 @@ report::Figure recorded_ways(const RealDataResults& results) {
                         .caption = "Not of the source. East or along the reference's x is to the right."};
   for (const RealDataPicture& picture : results.pictures) {
     report::Chart plan = report::floor_plan(picture.title.substr(0, picture.title.find(':')));
-    for (const RealDataPicture::Way& way : picture.ways) {
+    for (const RealDataPicture::Path& path : picture.paths) {
       plan.series.push_back(kinds[plan.series.size() % std::size(kinds)]);
-      plan.series.back().points = way.points;
+      plan.series.back().points = path.points;
     }
     figure.add(plan);
   }
@@ -207,7 +207,7 @@ void add_real_data(report::Document& document, const RealDataResults& results) {
         {row.position_walk, row.husky_half, row.husky_outage, row.mrclam_gps, row.mrclam_all, row.labyrinth});
   report::Table logs({"log", "source", "licence"});
   for (const NamedLog& log : results.logs) logs.row({plain(log.name), plain(log.source), plain(log.licence)});
-  document.figure(recorded_ways(results))
+  document.figure(recorded_paths(results))
       .table(rows)
       .text(fmt::format("MRCLAM: means over seeds 1 to {}.", results.seeds))
       .text(parameters(results))

@@ -15,9 +15,9 @@ constexpr double kRatio = 100.0;         // encoders / all sensors, protocols.md
 constexpr double kMeanShare = 0.25;      // (b)
 constexpr double kVarianceFactor = 3.0;  // (c)
 
-const EkfRow& row_of(const std::vector<EkfRow>& rows, EkfWay way, EkfWheelNoise noise, std::size_t set) {
+const EkfRow& row_of(const std::vector<EkfRow>& rows, EkfPath path, EkfWheelNoise noise, std::size_t set) {
   return *std::find_if(rows.begin(), rows.end(), [&](const EkfRow& row) {
-    return row.way == way && row.noise == noise && row.sensors.name == kEkfSensorSets[set].name;
+    return row.path == path && row.noise == noise && row.sensors.name == kEkfSensorSets[set].name;
   });
 }
 
@@ -63,7 +63,7 @@ Json real_data_json(const RealDataResults& results) {
 
 }  // namespace
 
-std::string_view to_string(EkfWay way) { return way == EkfWay::sinus ? "sinus" : "circle"; }
+std::string_view to_string(EkfPath path) { return path == EkfPath::sinus ? "sinus" : "circle"; }
 std::string_view to_string(EkfWheelNoise noise) {
   return noise == EkfWheelNoise::placed ? "placed" : "matched";
 }
@@ -71,10 +71,10 @@ std::string_view to_string(EkfWheelNoise noise) {
 std::vector<EkfRow> ekf_rows(int seeds) {
   std::vector<EkfRow> rows;
   for (const EkfWheelNoise noise : {EkfWheelNoise::placed, EkfWheelNoise::matched}) {
-    for (const EkfWay way : {EkfWay::sinus, EkfWay::circle}) {
+    for (const EkfPath path : {EkfPath::sinus, EkfPath::circle}) {
       for (const EkfSensorSet& sensors : kEkfSensorSets) {
-        EkfRow row{way, noise, sensors, run_ekf_experiments(way, sensors, noise, seeds), {}};
-        row.example = drive_ekf(way, sensors, noise, 1);
+        EkfRow row{path, noise, sensors, run_ekf_experiments(path, sensors, noise, seeds), {}};
+        row.example = drive_ekf(path, sensors, noise, 1);
         for (const EkfErrors& errors : row.runs) {
           row.mean.mean += errors.mean / seeds;
           row.mean.variance += errors.variance / seeds;
@@ -96,10 +96,10 @@ double quantile_of_means(const EkfRow& row, double share) {
 
 std::vector<Criterion> ekf_criteria(const std::vector<EkfRow>& rows) {
   std::vector<Criterion> criteria;
-  for (const EkfWay way : {EkfWay::sinus, EkfWay::circle}) {
-    const std::string name(to_string(way));
-    const auto w = static_cast<std::size_t>(way);
-    const auto mean = [&](std::size_t set) { return row_of(rows, way, EkfWheelNoise::placed, set).mean; };
+  for (const EkfPath path : {EkfPath::sinus, EkfPath::circle}) {
+    const std::string name(to_string(path));
+    const auto w = static_cast<std::size_t>(path);
+    const auto mean = [&](std::size_t set) { return row_of(rows, path, EkfWheelNoise::placed, set).mean; };
     const double ratio = mean(0).mean / mean(3).mean;
     criteria.push_back({name + ": (a) encoder / all", "> 100", ratio, ratio > kRatio});
     const double least = std::min(mean(1).mean, mean(2).mean) / mean(3).mean;
@@ -107,7 +107,7 @@ std::vector<Criterion> ekf_criteria(const std::vector<EkfRow>& rows) {
     int placed = 0;
     double worst_factor = 1.0;
     for (std::size_t set = 0; set < kEkfSensorSets.size(); ++set) {
-      const EkfRow& row = row_of(rows, way, EkfWheelNoise::placed, set);
+      const EkfRow& row = row_of(rows, path, EkfWheelNoise::placed, set);
       const double published = row.sensors.published_mean[w];
       const bool inside =
           published >= quantile_of_means(row, 0.01) && published <= quantile_of_means(row, 0.99);
@@ -134,10 +134,10 @@ std::vector<Criterion> all_criteria(const EkfReport& report) {
 nlohmann::ordered_json ekf_json(const EkfReport& report) {
   Json json = {{"experiment", "ekf"}, {"seeds", report.seeds}, {"rows", Json::array()}};
   for (const EkfRow& row : report.rows) {
-    const auto w = static_cast<std::size_t>(row.way);
+    const auto w = static_cast<std::size_t>(row.path);
     Json per_seed = Json::array();
     for (const EkfErrors& errors : row.runs) per_seed.push_back(errors_json(errors));
-    json["rows"].push_back({{"way", to_string(row.way)},
+    json["rows"].push_back({{"way", to_string(row.path)},
                             {"wheel_noise", to_string(row.noise)},
                             {"sensors", row.sensors.name},
                             {"published_mean_m", row.sensors.published_mean[w]},

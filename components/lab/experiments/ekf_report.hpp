@@ -17,9 +17,9 @@ namespace bw {
 
 inline constexpr int kEkfSeeds = 100;  ///< of E1; with fewer nothing of it is judged
 
-/// One way and sensor set over all seeds.
+/// One path and sensor set over all seeds.
 struct EkfRow {
-  EkfWay way = EkfWay::sinus;
+  EkfPath path = EkfPath::sinus;
   EkfWheelNoise noise = EkfWheelNoise::placed;
   EkfSensorSet sensors;
   std::vector<EkfErrors> runs;          ///< seeds 1 to n
@@ -34,7 +34,7 @@ struct EkfReport {
   std::string real_data_missing;  ///< why there is none
 };
 
-std::string_view to_string(EkfWay way);
+std::string_view to_string(EkfPath path);
 std::string_view to_string(EkfWheelNoise noise);
 
 std::vector<EkfRow> ekf_rows(int seeds);

@@ -15,7 +15,7 @@ namespace {
 using localization::Ekf;
 using localization::EkfOptions;
 
-constexpr localization::Geodetic kIndoorDatum{21.0, 105.8, 0.0};  // any place will do
+constexpr localization::Geodetic kIndoorDatum{21.0, 105.8, 0.0};  // any position will do
 constexpr double kStartHeadingSigma = 0.2;                        // [rad], as EkfOptions::initial
 
 enum class Heading { gyro, compass, wheels };
@@ -30,7 +30,7 @@ RealDataRow row_of(const ReplayResult& result) {
   const ReplayErrors errors = errors_of(result.points);
   RealDataRow row{.mean = errors.mean, .rms = errors.rms, .largest = errors.largest, .count = errors.count};
   if (result.first_pose) row.first_pose = result.first_pose->to_seconds();
-  for (const ReplayPoint& point : result.points) row.way.push_back(point.position);
+  for (const ReplayPoint& point : result.points) row.path.push_back(point.position);
   return row;
 }
 
@@ -78,7 +78,7 @@ RealDataRow mean_row(const RecordedDrive& log, const RealDataParameters& paramet
   RealDataRow mean;
   for (int seed = 1; seed <= seeds; ++seed) {
     RealDataRow row = mrclam_row(log, parameters, receiver, compass, static_cast<std::uint64_t>(seed));
-    if (seed == 1) std::swap(mean.way, row.way);
+    if (seed == 1) std::swap(mean.path, row.path);
     mean.mean += row.mean / seeds;
     mean.rms += row.rms / seeds;
     mean.largest = std::max(mean.largest, row.largest);
@@ -108,7 +108,7 @@ RealDataRow labyrinth_row(const RecordedDrive& log, const RealDataParameters& pa
   return row;
 }
 
-std::vector<Vector2> places(const std::vector<Checkpoint>& checkpoints) {
+std::vector<Vector2> positions(const std::vector<Checkpoint>& checkpoints) {
   std::vector<Vector2> points;
   for (const Checkpoint& checkpoint : checkpoints) points.push_back(checkpoint.position);
   return points;
@@ -117,7 +117,7 @@ std::vector<Vector2> places(const std::vector<Checkpoint>& checkpoints) {
 /// Fixes until shortly after the first pose, then none.
 std::vector<Vector2> husky_without_receiver(const RecordedDrive& log, const RealDataParameters& parameters) {
   return husky_row(log, parameters, Heading::gyro, {.rule = HoldOutRule::outage, .from = 10.0, .to = 1e6})
-      .way;
+      .path;
 }
 
 WalkRow walk_row(const RecordedDrive& husky, const RecordedDrive& mrclam, const RecordedDrive& labyrinth,
@@ -202,17 +202,17 @@ RealDataResults run_real_data(const RealDataLogs& logs, int seeds, bool with_wal
   for (const auto* rows : {&outdoors, &indoors, &maze})
     results.rows.insert(results.rows.end(), rows->begin(), rows->end());
   results.pictures = {{"Husky: fixes, with every second of them, and without any after 10 s",
-                       {{"fixes", places(fix_checkpoints(husky.fixes, husky.datum))},
-                        {"with receiver", outdoors[0].way},
+                       {{"fixes", positions(fix_checkpoints(husky.fixes, husky.datum))},
+                        {"with receiver", outdoors[0].path},
                         {"without", husky_without_receiver(husky, parameters)}}},
                       {"MRCLAM: motion capture, all sensors, and wheels alone",
-                       {{"reference", places(reference_checkpoints(mrclam))},
-                        {"all sensors", indoors[3].way},
-                        {"wheels", indoors[0].way}}},
+                       {{"reference", positions(reference_checkpoints(mrclam))},
+                        {"all sensors", indoors[3].path},
+                        {"wheels", indoors[0].path}}},
                       {"Labyrinth: reference, wheels and ranges, wheels alone",
-                       {{"reference", places(reference_checkpoints(labyrinth))},
-                        {"wheels, ranges", maze[2].way},
-                        {"wheels", maze[0].way}}}};
+                       {{"reference", positions(reference_checkpoints(labyrinth))},
+                        {"wheels, ranges", maze[2].path},
+                        {"wheels", maze[0].path}}}};
   if (!with_walks) return results;
   for (const double walk : {0.0, 0.07, 0.15, 0.22, 0.45})
     results.walks.push_back(walk_row(husky, mrclam, labyrinth, parameters, walk));

@@ -25,13 +25,13 @@ struct RealDataRow {
   std::string log;
   std::string task;
   std::string sensors;
-  std::string reference;     ///< mean error [m] of an earlier study on the same data; empty: none
-  double mean = 0.0;         ///< of the position [m], over the seeds
-  double rms = 0.0;          ///< the same
-  double largest = 0.0;      ///< of all seeds
-  std::size_t count = 0;     ///< places compared, in one run
-  double first_pose = 0.0;   ///< [s] of the log; of the first seed
-  std::vector<Vector2> way;  ///< estimates at the places compared, first seed
+  std::string reference;      ///< mean error [m] of an earlier study on the same data; empty: none
+  double mean = 0.0;          ///< of the position [m], over the seeds
+  double rms = 0.0;           ///< the same
+  double largest = 0.0;       ///< of all seeds
+  std::size_t count = 0;      ///< positions compared, in one run
+  double first_pose = 0.0;    ///< [s] of the log; of the first seed
+  std::vector<Vector2> path;  ///< estimates at the positions compared, first seed
 };
 
 /// How the figures depend on the one parameter that has no declared value.
@@ -46,11 +46,11 @@ struct WalkRow {
 
 struct RealDataPicture {
   std::string title;
-  struct Way {
+  struct Path {
     std::string label;
     std::vector<Vector2> points;
   };
-  std::vector<Way> ways;
+  std::vector<Path> paths;
 };
 
 /// One of the logs, and what is known of where it comes from.

@@ -11,7 +11,7 @@ using namespace localization;
 
 enum Source { kWheels, kGyro, kCompass, kReceiver, kRanges };
 
-/// Turns entries of a log into measurements.
+/// Makes entries of a log into measurements.
 class Feed {
  public:
   Feed(const RecordedDrive& drive, const ReplaySensors& sensors, Localizer& filter)
@@ -48,7 +48,7 @@ class Feed {
     PositionFix fix;
     fix.time = sample->time;
     fix.source = kReceiver;
-    fix.position = plane_->to_plane(sample->place).head<2>();
+    fix.position = plane_->to_plane(sample->position).head<2>();
     fix.covariance = sample->variance.head<2>().asDiagonal();
     add(fix);
   }
@@ -122,7 +122,8 @@ std::vector<Checkpoint> fix_checkpoints(const std::vector<FixSample>& fixes, con
   const auto plane = LocalPlane::around(datum);
   if (!plane) throw std::invalid_argument("the datum is no place on earth");
   std::vector<Checkpoint> checkpoints;
-  for (const FixSample& fix : fixes) checkpoints.push_back({fix.time, plane->to_plane(fix.place).head<2>()});
+  for (const FixSample& fix : fixes)
+    checkpoints.push_back({fix.time, plane->to_plane(fix.position).head<2>()});
   return checkpoints;
 }
 

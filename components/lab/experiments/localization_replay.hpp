@@ -1,4 +1,4 @@
-// A recorded drive run through a filter in process, compared with known places along the way.
+// A recorded drive run through a filter in process, compared with known positions along the path.
 #pragma once
 
 #include <optional>
@@ -23,7 +23,7 @@ struct ReplaySensors {
   bool compass_after_start = false;
 };
 
-/// A place the robot was at, unknown to the filter.
+/// A position the robot was at, unknown to the filter.
 struct Checkpoint {
   Time time;
   Vector2 position{0.0, 0.0};  ///< in M [m]

@@ -59,7 +59,7 @@ NavigationDrive navigation_drive(std::size_t pair, const std::string& hallway, s
 
 struct NavigationResults {
   bool emulated =
-      true;  ///< bases and lasers by their emulators; otherwise the world turns the wheels and makes the scans
+      true;  ///< bases and lasers by their emulators; otherwise the world moves wheels and makes scans
   std::vector<NavigationDrive> drives;
 };
 

@@ -35,8 +35,8 @@ Passing passing(const std::vector<TimedPosition>& path, const StraightWalk& pers
     if (before * after > 0.0 || before == 0.0) continue;
     const double s = before / (before - after);
     const double time = path[i - 1].time + s * (path[i].time - path[i - 1].time);
-    const Vector2 place = path[i - 1].position + s * (path[i].position - path[i - 1].position);
-    return speed * time > along.dot(place - person.start) ? Passing::behind : Passing::in_front;
+    const Vector2 position = path[i - 1].position + s * (path[i].position - path[i - 1].position);
+    return speed * time > along.dot(position - person.start) ? Passing::behind : Passing::in_front;
   }
   return Passing::not_crossed;
 }

@@ -1,5 +1,5 @@
-// Did the robot pass behind a person who crosses its way, or in front? Asked at the moment at which the robot
-// crosses the person's line (protocols.md 8.5).
+// Did the robot pass behind a person who crosses its path, or in front? Asked at the moment at which the
+// robot crosses the person's line (protocols.md 8.5).
 #pragma once
 
 #include <string_view>
@@ -21,7 +21,7 @@ struct StraightWalk {
 };
 
 enum class Passing {
-  behind,       ///< the person had already passed the place where the robot crossed the line
+  behind,       ///< the person had already passed the position where the robot crossed the line
   in_front,     ///< the person came by there later
   not_crossed,  ///< the robot stayed on its side
 };

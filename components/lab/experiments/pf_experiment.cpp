@@ -74,7 +74,7 @@ ParticleFilterOptions filter_options(PfMethod method, int particles) {
   ParticleFilterOptions options;
   options.count.min_particles = options.count.max_particles = particles;
   options.motion.noise = MotionNoise::per_step;
-  options.motion.longest_way = 0.0;  // Algorithm 1 moves them every step
+  options.motion.longest_distance = 0.0;  // Algorithm 1 moves them every step
   options.motion.walk = options.motion.heading_walk = 0.0;
   options.gate.enabled = false;  // Algorithm 1 has none
   if (method == PfMethod::printed) options.weight_law = WeightLaw::printed;
@@ -96,7 +96,7 @@ std::vector<Vector2> by_filter(const std::vector<Step>& steps, PfMethod method, 
     wheels.time = now;
     wheels.over = period;
     wheels.distance = kSpeed * kPeriod;
-    wheels.turn = kSpeed / kRadius * kPeriod;
+    wheels.rotation = kSpeed / kRadius * kPeriod;
     filter.add(wheels, now);
     if (step.position && step.heading) {
       filter.add(PoseReading{now, 1, step.reading, kSigma * kSigma * Eigen::Matrix3d::Identity()}, now);

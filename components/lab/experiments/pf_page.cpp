@@ -47,7 +47,7 @@ const PfCell& cell_of(const PfTable& table, std::size_t row, PfMethod method) {
   return table.cells[row][static_cast<std::size_t>(method)];
 }
 
-/// Outline of the roof, along the true way.
+/// Outline of the roof, along the true path.
 std::vector<Vector2> roof(const std::vector<PfSample>& samples) {
   std::vector<Vector2> outline, back;
   for (std::size_t i = 10; i < samples.size(); i += 10) {
@@ -74,7 +74,7 @@ std::vector<Vector2> errors(const PfCell& cell) {
   return points;
 }
 
-report::Figure ways(const PfTable& table) {
+report::Figure paths(const PfTable& table) {
   report::Figure figure{
       .title = "Figure 2.5 again: the way in three parts, before, under and after the roof",
       .caption =
@@ -183,7 +183,7 @@ report::Document pf_page(const PfTable& table) {
           "84 s on a circle of 15 m radius at 1 m/s; 28 to 56 s lie under a roof, where only some readings are "
           "received. Readings every 0.1 s, standard deviation 0.2 m and 0.2 rad; each step of the robot errs by 4 cm "
           "along, 1.2 cm across, 0.35 degrees.")
-      .figure(ways(table))
+      .figure(paths(table))
       .figure(errors_over_time(table))
       .figure(statistics(table))
       .heading("Table 2.1")

@@ -85,11 +85,11 @@ std::vector<PublishedValue> published_values(const EkfReport& report) {
   for (const EkfRow& row : report.rows) {
     if (row.noise != EkfWheelNoise::placed) continue;
     const auto matched = std::ranges::find_if(report.rows, [&](const EkfRow& other) {
-      return other.noise == EkfWheelNoise::matched && other.way == row.way &&
+      return other.noise == EkfWheelNoise::matched && other.path == row.path &&
              other.sensors.name == row.sensors.name;
     });
-    const auto w = static_cast<std::size_t>(row.way);
-    const std::string what = fmt::format("{}, {}: ", to_string(row.way), row.sensors.name);
+    const auto w = static_cast<std::size_t>(row.path);
+    const std::string what = fmt::format("{}, {}: ", to_string(row.path), row.sensors.name);
     values.push_back({"Figure 2.3", what + "mean error", "m",
                       fmt::format("{:.4f}", row.sensors.published_mean[w]), spread_over(row.runs, mean_of)});
     PublishedValue square{"Figure 2.3",

@@ -1,4 +1,4 @@
-// A first pose from ranges to anchors alone: position, and the heading from the way driven.
+// A first pose from ranges to anchors alone: position, and the heading from the path driven.
 #pragma once
 
 #include <optional>

@@ -20,7 +20,7 @@ struct ReproduceArguments {
   bool quick = false;         ///< few seeds, only the main rows
   Shard shard = {};  ///< not all: finished drives are left in the folder, for the run that makes the page
   bool simulated_drivers =
-      false;     ///< navigation: the world turns the wheels, without emulated bases and lasers
+      false;     ///< navigation: the world rotates the wheels, without emulated bases and lasers
   int jobs = 1;  ///< all: processes at a time
 };
 

@@ -18,8 +18,8 @@ void print(const EkfReport& report) {
   fmt::print("{:24} {:7} {:8} {:>12} {:>9} {:>12} {:>9}\n", "sensors", "way", "filter", "published ME", "ME",
              "published", "variance");
   for (const EkfRow& row : report.rows) {
-    const auto w = static_cast<std::size_t>(row.way);
-    fmt::print("{:24} {:7} {:8} {:12.4f} {:9.4f} {:12.4f} {:9.4f}\n", row.sensors.name, to_string(row.way),
+    const auto w = static_cast<std::size_t>(row.path);
+    fmt::print("{:24} {:7} {:8} {:12.4f} {:9.4f} {:12.4f} {:9.4f}\n", row.sensors.name, to_string(row.path),
                to_string(row.noise), row.sensors.published_mean[w], row.mean.mean,
                row.sensors.published_variance[w], row.mean.variance);
   }

@@ -52,10 +52,10 @@ double gap_of_first(const std::vector<FloorRobot>& robots, const FloorRules& rul
   return smallest;
 }
 
-std::vector<Vector2> places_of(const std::vector<FloorRobot>& robots) {
-  std::vector<Vector2> places;
-  for (const FloorRobot& robot : robots) places.push_back(robot.pose.position());
-  return places;
+std::vector<Vector2> positions_of(const std::vector<FloorRobot>& robots) {
+  std::vector<Vector2> positions;
+  for (const FloorRobot& robot : robots) positions.push_back(robot.pose.position());
+  return positions;
 }
 
 double gap_of_others(const std::vector<FloorRobot>& robots, const FloorRules& rules) {
@@ -85,7 +85,7 @@ FloorRun run_on_floor(std::vector<FloorRobot> robots, const FloorRules& rules) {
       commands.push_back(result.command);
     }
     for (std::size_t i = 0; i < robots.size(); ++i) robots[i].twist = commands[i];
-    run.samples.push_back({begin, commands[0].v, gap_of_first(robots, rules), places_of(robots)});
+    run.samples.push_back({begin, commands[0].v, gap_of_first(robots, rules), positions_of(robots)});
     for (int k = 1; k <= rules.steps_per_period; ++k) {
       for (FloorRobot& robot : robots) robot.pose = advance_exact(robot.pose, robot.twist, step);
       travelled += std::abs(robots[0].twist.v) * step;
@@ -97,7 +97,7 @@ FloorRun run_on_floor(std::vector<FloorRobot> robots, const FloorRules& rules) {
       if (run.smallest_gap < 0.0) run.outcome = FloorOutcome::contact;
       if (run.smallest_gap >= 0.0 && to_goal <= rules.goal_radius) run.outcome = FloorOutcome::reached;
       if (run.outcome == FloorOutcome::timeout) continue;
-      run.samples.push_back({run.time, robots[0].twist.v, gap_of_first(robots, rules), places_of(robots)});
+      run.samples.push_back({run.time, robots[0].twist.v, gap_of_first(robots, rules), positions_of(robots)});
       return run;
     }
   }

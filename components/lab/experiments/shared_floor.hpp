@@ -30,10 +30,10 @@ struct FloorRules {
 
 /// The run at one control instant.
 struct FloorSample {
-  double time = 0.0;                 ///< [s]
-  double v = 0.0;                    ///< of the first robot: command from here on [m/s]
-  double gap = 0.0;                  ///< from it to the nearest other robot, between outlines [m]
-  std::vector<Vector2> places = {};  ///< of all robots, the first one first
+  double time = 0.0;                    ///< [s]
+  double v = 0.0;                       ///< of the first robot: command from here on [m/s]
+  double gap = 0.0;                     ///< from it to the nearest other robot, between outlines [m]
+  std::vector<Vector2> positions = {};  ///< of all robots, the first one first
 };
 
 enum class FloorOutcome { reached, contact, timeout };

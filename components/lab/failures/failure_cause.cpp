@@ -20,16 +20,16 @@ possible::Walk walk_of(const RunRecording& recording, std::uint32_t id) {
   possible::Walk walk;
   for (const RecordedMoment& moment : recording.moments)
     for (const TruePerson& person : moment.people)
-      if (person.id == id) walk.places.push_back({moment.time, person.position});
+      if (person.id == id) walk.positions.push_back({moment.time, person.position});
   return walk;
 }
 
-/// `walk` has a place.
+/// `walk` has a position.
 std::optional<double> off_course(const possible::Walk& walk, const ContactRecord& contact) {
   // Who came between two moments is in the later one.
-  const double came = std::max(contact.there_since, walk.places.front().time);
+  const double came = std::max(contact.there_since, walk.positions.front().time);
   const double from = std::max(contact.time - kAhead, came + kMeanOver);
-  const std::optional<Vector2> there = walk.at(std::min(contact.time, walk.places.back().time));
+  const std::optional<Vector2> there = walk.at(std::min(contact.time, walk.positions.back().time));
   const std::optional<Vector2> now = walk.at(from);
   const std::optional<Vector2> before = walk.at(from - kMeanOver);
   if (!there || !now || !before || from >= contact.time) return std::nullopt;
@@ -37,13 +37,13 @@ std::optional<double> off_course(const possible::Walk& walk, const ContactRecord
   return (*there - headed).norm();
 }
 
-double way_in_last_seconds(const RunRecording& recording) {
-  double way = 0.0;
+double distance_in_last_seconds(const RunRecording& recording) {
+  double distance = 0.0;
   const std::vector<RecordedMoment>& moments = recording.moments;
   for (std::size_t i = 1; i < moments.size(); ++i)
     if (moments[i].time > moments.back().time - kLastSeconds)
-      way += (moments[i].X_MB.position() - moments[i - 1].X_MB.position()).norm();
-  return way;
+      distance += (moments[i].X_MB.position() - moments[i - 1].X_MB.position()).norm();
+  return distance;
 }
 
 FailureCause by_who(WhoHit who) {
@@ -94,11 +94,11 @@ FoundCause cause_of(const RunRecording& recording, const std::optional<ContactRe
                     bool reached) {
   if (!contact) {
     if (reached) return {FailureCause::thing, std::nullopt};
-    const bool moved = way_in_last_seconds(recording) >= kHardly;
+    const bool moved = distance_in_last_seconds(recording) >= kHardly;
     return {moved ? FailureCause::late : FailureCause::stuck, std::nullopt};
   }
   const possible::Walk walk = walk_of(recording, contact->person);
-  if (walk.places.empty()) return {FailureCause::thing, std::nullopt};
+  if (walk.positions.empty()) return {FailureCause::thing, std::nullopt};
   const std::optional<double> off = off_course(walk, *contact);
   const FailureCause hit = by_who(contact->closing.who);
   if (contact->begins_mid_floor || contact->ends_mid_floor) return {FailureCause::mid_floor, off};

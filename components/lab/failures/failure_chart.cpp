@@ -16,14 +16,14 @@ using report::Color;
 using report::Dash;
 using report::Look;
 
-constexpr double kBefore = 4.0;     // ways of people so long before the contact [s]
+constexpr double kBefore = 4.0;     // paths of people so long before the contact [s]
 constexpr double kAfter = 1.5;      // and of the robot after it [s]
 constexpr double kRoom = 1.0;       // about what is shown [m]
-constexpr double kLeastSize = 6.0;  // of the place shown [m]
+constexpr double kLeastSize = 6.0;  // of the area shown [m]
 constexpr double kCrowded = 0.03;   // of its width: numbers are farther apart
 
 using Moments = std::vector<RecordedMoment>;
-using Way = std::vector<possible::TimedPlace>;
+using Path = std::vector<possible::TimedPosition>;
 
 /// Straight on between moments; the first and last before and after.
 Pose2 pose_at(const Moments& moments, double time) {
@@ -33,20 +33,20 @@ Pose2 pose_at(const Moments& moments, double time) {
   const RecordedMoment& a = *std::prev(after);
   const RecordedMoment& b = *after;
   const double share = (time - a.time) / (b.time - a.time);
-  const Vector2 place = a.X_MB.position() + share * (b.X_MB.position() - a.X_MB.position());
-  return {place.x(), place.y(),
+  const Vector2 position = a.X_MB.position() + share * (b.X_MB.position() - a.X_MB.position());
+  return {position.x(), position.y(),
           a.X_MB.theta + share * std::remainder(b.X_MB.theta - a.X_MB.theta, 2.0 * M_PI)};
 }
 
-/// Places of a person from `from` to `until` [s], as they were looked at.
-Way way_of(const Moments& moments, std::uint32_t person, double from, double until) {
-  Way way;
+/// Positions of a person from `from` to `until` [s], as they were looked at.
+Path path_of(const Moments& moments, std::uint32_t person, double from, double until) {
+  Path path;
   for (const RecordedMoment& moment : moments) {
     if (moment.time < from - 1e-6 || moment.time > until + 1e-6) continue;
     for (const TruePerson& one : moment.people)
-      if (one.id == person) way.push_back({moment.time, one.position});
+      if (one.id == person) path.push_back({moment.time, one.position});
   }
-  return way;
+  return path;
 }
 
 class FailureDrawing {
@@ -71,7 +71,7 @@ class FailureDrawing {
       plan_.marks.push_back({goal, report::Symbol::ring, Color::ink, "goal"});
     add_people();
     add_robot();
-    add_way_out();
+    add_escape();
     if (contact_) {
       const Vector2 robot = pose_at(moments_, time_).position();
       plan_.marks.push_back({robot + 0.5 * (touched_person() - robot), report::Symbol::dot, Color::red,
@@ -88,8 +88,8 @@ class FailureDrawing {
     if (motion_ != nullptr)
       for (const possible::MotionState& state : *motion_) box.extend(state.pose.position());
     if (contact_)
-      for (const auto& place : way_of(moments_, contact_->record.person, time_ - kBefore, time_))
-        box.extend(place.position);
+      for (const auto& timed : path_of(moments_, contact_->record.person, time_ - kBefore, time_))
+        box.extend(timed.position);
     if (!contact_)
       for (const Vector2& goal : recording_.goals) box.extend(goal);
     if (box.isEmpty()) box.extend(moments_.back().X_MB.position());
@@ -103,8 +103,8 @@ class FailureDrawing {
     return box;
   }
 
-  /// Everybody at the time of the contact, and their ways of the seconds before; of who is touched also after
-  /// it.
+  /// Everybody at the time of the contact, and their paths of the seconds before; of who is touched also
+  /// after it.
   void add_people() {
     const auto now = std::ranges::min_element(
         moments_, {}, [this](const RecordedMoment& moment) { return std::abs(moment.time - time_); });
@@ -112,37 +112,37 @@ class FailureDrawing {
       const bool is_touched = contact_ && contact_->record.person == person.id;
       if (!is_touched && view_.exteriorDistance(person.position) > person.radius) continue;
       const Color color = is_touched ? Color::red : Color::violet;
-      add_way(is_touched ? "who is touched" : "others, last 4 s",
-              {.color = color, .width = is_touched ? 2.5 : 1.6},
-              way_of(moments_, person.id, time_ - kBefore, time_), is_touched);
+      add_path(is_touched ? "who is touched" : "others, last 4 s",
+               {.color = color, .width = is_touched ? 2.5 : 1.6},
+               path_of(moments_, person.id, time_ - kBefore, time_), is_touched);
       plan_.bodies.push_back({person.position, person.radius, color, std::to_string(person.id), {0.0, 0.0}});
       if (!is_touched) continue;
       const double end = motion_ != nullptr ? motion_->back().time : time_ + kAfter;
       add_line("", {.color = color, .dash = Dash::dots, .width = 1.4},
-               way_of(moments_, person.id, time_, end));
+               path_of(moments_, person.id, time_, end));
     }
   }
 
   /// Where the robot drove, a dot and the time every second, and its body at the contact.
   void add_robot() {
-    Way all, near;
+    Path all, near;
     for (const RecordedMoment& moment : moments_) {
       all.push_back({moment.time, moment.X_MB.position()});
       if (moment.time >= from_ - 1e-6 && moment.time <= time_ + 1e-6) near.push_back(all.back());
     }
     near.push_back({time_, pose_at(moments_, time_).position()});
     add_line("", {.color = Color::grey, .width = 1.6}, all);
-    add_way("robot, a dot each second", {.color = Color::blue, .width = 3.5}, near, true);
+    add_path("robot, a dot each second", {.color = Color::blue, .width = 3.5}, near, true);
     add_body(pose_at(moments_, time_), Color::blue, Dash::none);
   }
 
   /// The latest state from which a motion is known, and that motion.
-  void add_way_out() {
+  void add_escape() {
     if (motion_ == nullptr) return;
-    Way way;
-    for (const possible::MotionState& state : *motion_) way.push_back({state.time, state.pose.position()});
-    add_way("a motion without contact", {.color = Color::green, .dash = Dash::dashes, .width = 3.0}, way,
-            true);
+    Path path;
+    for (const possible::MotionState& state : *motion_) path.push_back({state.time, state.pose.position()});
+    add_path("a motion without contact", {.color = Color::green, .dash = Dash::dashes, .width = 3.0}, path,
+             true);
     add_body(motion_->front().pose, Color::green, Dash::dashes);
     add_body(motion_->back().pose, Color::green, Dash::dashes);
     plan_.marks.push_back({motion_->front().pose.position(), report::Symbol::ring, Color::green,
@@ -153,29 +153,29 @@ class FailureDrawing {
   Vector2 touched_person() const {
     Vector2 person = pose_at(moments_, time_).position();
     double nearest = std::numeric_limits<double>::infinity();
-    for (const auto& place : way_of(moments_, contact_->record.person, time_ - 0.3, time_ + 0.3)) {
-      if (std::abs(place.time - time_) >= nearest) continue;
-      nearest = std::abs(place.time - time_);
-      person = place.position;
+    for (const auto& timed : path_of(moments_, contact_->record.person, time_ - 0.3, time_ + 0.3)) {
+      if (std::abs(timed.time - time_) >= nearest) continue;
+      nearest = std::abs(timed.time - time_);
+      person = timed.position;
     }
     return person;
   }
 
-  void add_line(const std::string& name, const Look& look, const Way& way) {
-    if (way.size() < 2) return;
+  void add_line(const std::string& name, const Look& look, const Path& path) {
+    if (path.size() < 2) return;
     plan_.series.push_back({name, look});
-    for (const possible::TimedPlace& place : way) plan_.series.back().points.push_back(place.position);
+    for (const possible::TimedPosition& timed : path) plan_.series.back().points.push_back(timed.position);
   }
 
   /// With a dot each whole second, and its number where that is not too near to the one before.
-  void add_way(const std::string& name, const Look& look, const Way& way, bool is_numbered) {
-    add_line(name, look, way);
+  void add_path(const std::string& name, const Look& look, const Path& path, bool is_numbered) {
+    add_line(name, look, path);
     std::optional<Vector2> numbered;
-    for (std::size_t i = 0; i + 1 < way.size(); ++i) {
-      const double second = std::ceil(way[i].time - 1e-6);
-      if (second >= way[i + 1].time - 1e-6) continue;
-      const double share = std::clamp((second - way[i].time) / (way[i + 1].time - way[i].time), 0.0, 1.0);
-      const Vector2 at = way[i].position + share * (way[i + 1].position - way[i].position);
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+      const double second = std::ceil(path[i].time - 1e-6);
+      if (second >= path[i + 1].time - 1e-6) continue;
+      const double share = std::clamp((second - path[i].time) / (path[i + 1].time - path[i].time), 0.0, 1.0);
+      const Vector2 at = path[i].position + share * (path[i + 1].position - path[i].position);
       const bool is_far = !numbered || (*numbered - at).norm() >= kCrowded * view_.sizes().x();
       plan_.marks.push_back(
           {at, report::Symbol::dot, look.color, is_numbered && is_far ? fmt::format("{:.0f}", second) : ""});
@@ -199,7 +199,7 @@ class FailureDrawing {
   const Moments& moments_;
   const std::optional<JudgedContact>& contact_;
   double time_ = 0.0;
-  double from_ = 0.0;  ///< the robot's way stands out from here on [s]
+  double from_ = 0.0;  ///< the robot's path stands out from here on [s]
   const std::vector<possible::MotionState>* motion_ = nullptr;
   Eigen::AlignedBox2d view_;
   report::Chart plan_ = report::floor_plan("");

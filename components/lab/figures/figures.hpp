@@ -17,8 +17,8 @@ struct Figure {
 
 std::span<const Figure> all();
 
-// From a drive in which two people cross the robot's way (components/lab/experiments/crossing_scene.hpp, seed
-// 1).
+// From a drive in which two people cross the robot's path (components/lab/experiments/crossing_scene.hpp,
+// seed 1).
 std::string elastic_band();
 std::string homotopy_classes();
 std::string velocity_obstacle();

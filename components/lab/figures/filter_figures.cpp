@@ -30,15 +30,15 @@ Time at_step(std::size_t i) { return kBegin + Duration::seconds(kPeriod * static
 WheelStep wheel_step(std::size_t i, const Pose2& from, const Pose2& to, double k, double slant,
                      Random& random) {
   const Pose2 by = inverse(from) * to;
-  const double way = std::hypot(by.x, by.y);
+  const double distance = std::hypot(by.x, by.y);
   WheelStep step{.time = at_step(i), .over = Duration::seconds(kPeriod)};
-  step.covariance = Eigen::Vector2d(k * way, 4.0 * k * way).asDiagonal();
-  step.distance = way + std::sqrt(k * way) * random.normal();
-  step.turn = by.theta + slant * way + std::sqrt(4.0 * k * way) * random.normal();
+  step.covariance = Eigen::Vector2d(k * distance, 4.0 * k * distance).asDiagonal();
+  step.distance = distance + std::sqrt(k * distance) * random.normal();
+  step.rotation = by.theta + slant * distance + std::sqrt(4.0 * k * distance) * random.normal();
   return step;
 }
 
-std::vector<Vector2> places(const std::vector<Pose2>& poses) {
+std::vector<Vector2> positions(const std::vector<Pose2>& poses) {
   std::vector<Vector2> points;
   for (const Pose2& pose : poses) points.push_back(pose.position());
   return points;
@@ -50,7 +50,7 @@ std::vector<Vector2> places(const std::vector<Pose2>& poses) {
 // predicted again.
 std::string late_measurement() {
   constexpr std::size_t kNow = 120, kMeasured = 90;
-  const std::vector<Pose2> truth = way_through_room(static_cast<int>(kNow));
+  const std::vector<Pose2> truth = path_through_room(static_cast<int>(kNow));
   Random random(3);
   Ekf ekf({});
   ekf.start_at(truth[0], Eigen::Vector3d(4e-4, 4e-4, 1e-3).asDiagonal(), at_step(0));
@@ -68,7 +68,7 @@ std::string late_measurement() {
 
   Plane plane("A late measurement in the EKF", kRoom, kFloor);
   draw_room(plane);
-  plane.curve(places(truth), kGrey, 1.6, "5 4");
+  plane.curve(positions(truth), kGrey, 1.6, "5 4");
   std::vector<Vector2> path;
   for (const Estimate& estimate : before) {
     path.push_back(estimate.X_MB.position());
@@ -97,7 +97,7 @@ std::string particle_cloud() {
   localization::ParticleFilterOptions options;
   ParticleFilter filter(options, 1);
   filter.set_map(map);
-  const std::vector<Pose2> truth = way_through_room(120);
+  const std::vector<Pose2> truth = path_through_room(120);
   const StaticScene scene(room_shapes(), std::nullopt);
   LaserScanner scanner({.beams = 180, .range_max = 8.0, .range_noise = 0.02}, Random(5));
   Random random(4);

@@ -54,7 +54,7 @@ class Plane {
   /// Cells of `size` over the whole window, each as dark as `shade` [0, 1] of its middle; what is below 0.03
   /// is left out.
   void shades(double size, std::string_view color, const std::function<double(const Vector2&)>& shade);
-  /// `right` [px] from the place and `up` from it.
+  /// `right` [px] from the position and `up` from it.
   void note(const Vector2& at, std::string_view text, double right = 6.0, double up = 6.0,
             std::string_view color = kBlack);
   /// A line of the key below the drawing.

@@ -1,4 +1,4 @@
-// Drawings of the local planners, at a moment of the drive in which two people cross the robot's way.
+// Drawings of the local planners, at a moment of the drive in which two people cross the robot's path.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -20,7 +20,7 @@ using Box = Eigen::AlignedBox2d;
 constexpr double kBeforeTheyMeet = 3.5;  // [s]
 const Axes kVelocities{.x = "v_x [m/s]", .y = "v_y [m/s]", .tick = 0.5, .decimals = 1};
 
-std::vector<Vector2> places(const std::vector<TrajectoryPoint>& trajectory) {
+std::vector<Vector2> positions(const std::vector<TrajectoryPoint>& trajectory) {
   std::vector<Vector2> points;
   for (const TrajectoryPoint& point : trajectory) points.push_back(point.pose.position());
   return points;
@@ -53,7 +53,7 @@ std::string elastic_band() {
   Plane plane(fmt::format("Timed elastic band, {:.1f} s into the drive", kBeforeTheyMeet),
               Box(Vector2(0.0, -3.0), Vector2(10.5, 3.0)), kFloor);
   draw_people(plane, problem, 5.0);
-  plane.curve(places(result.trajectory), kGreen, 2.4);
+  plane.curve(positions(result.trajectory), kGreen, 2.4);
   for (const TrajectoryPoint& point : result.trajectory) {
     plane.dot(point.pose.position(), 2.8, kGreen);
     plane.arrow(point.pose.position(), 0.28 * direction(point.pose.theta), kGreen, 1.2);
@@ -85,7 +85,7 @@ std::string homotopy_classes() {
   std::size_t next = 0;
   for (const Candidate& candidate : result.candidates) {
     const std::string_view color = candidate.chosen ? kGreen : kColors[next++ % kColors.size()];
-    plane.curve(places(candidate.trajectory), color, candidate.chosen ? 3.0 : 1.8,
+    plane.curve(positions(candidate.trajectory), color, candidate.chosen ? 3.0 : 1.8,
                 candidate.chosen ? "" : "6 4");
     plane.key(color, fmt::format("{}: cost {:.1f}{}", candidate.label, candidate.cost,
                                  candidate.chosen ? ", driven" : ""));

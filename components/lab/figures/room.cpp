@@ -41,15 +41,15 @@ void draw_room(Plane& plane) {
   for (const Disc& pillar : shapes.discs) plane.disc(pillar.center, pillar.radius, kBlack, 0.6);
 }
 
-std::vector<Pose2> way_through_room(int steps) {
+std::vector<Pose2> path_through_room(int steps) {
   Pose2 pose(1.2, 2.0, 0.35);
-  std::vector<Pose2> way{pose};
+  std::vector<Pose2> path{pose};
   for (int i = 0; i < steps; ++i) {
-    const double turn = 0.35 * std::cos(0.7 * kStepTime * i + 1.2);  // [rad/s]
-    pose = advance_exact(pose, {0.8, turn}, kStepTime);
-    way.push_back(pose);
+    const double turn_rate = 0.35 * std::cos(0.7 * kStepTime * i + 1.2);  // [rad/s]
+    pose = advance_exact(pose, {0.8, turn_rate}, kStepTime);
+    path.push_back(pose);
   }
-  return way;
+  return path;
 }
 
 }  // namespace bw::figures

@@ -18,6 +18,6 @@ OccupancyGrid room_map();
 void draw_room(Plane& plane);
 
 /// Where a robot is after each of `steps` periods of 0.05 s, at 0.8 m/s along a bend through the room.
-std::vector<Pose2> way_through_room(int steps);
+std::vector<Pose2> path_through_room(int steps);
 
 }  // namespace bw::figures

@@ -12,7 +12,7 @@
 #include "components/lab/figures/room.hpp"
 #include "components/model/cell_cost.hpp"
 #include "components/people/detector/detector.hpp"
-#include "components/safety/free_way.hpp"
+#include "components/safety/free_distance.hpp"
 #include "components/world/laser_scanner.hpp"
 #include "components/world/legs.hpp"
 
@@ -90,17 +90,19 @@ std::string stopping_distance() {
   const safety::Stopping stopping{.reaction_time = 0.25, .deceleration = 0.5};
   constexpr std::array kSpeeds{0.3, 0.6, 1.0};
   for (const double speed : kSpeeds) {
-    const double way = speed * stopping.reaction_time + speed * speed / (2.0 * stopping.deceleration);
-    const Vector2 end = robot.position() + way * direction(robot.theta);
+    const double distance = speed * stopping.reaction_time + speed * speed / (2.0 * stopping.deceleration);
+    const Vector2 end = robot.position() + distance * direction(robot.theta);
     plane.disc(end, footprint.radius, kGreen, 0.05);
     plane.arrow(robot.position(), end - robot.position(), kGreen, 1.2);
     plane.note(end, fmt::format("{:.1f} m/s", speed), -12.0, speed < 0.5 ? -38.0 : 28.0, kGreen);
   }
   const Vector2 wall(3.9, 2.72);
   plane.dot(wall, 4.0, kPurple);
-  const double way = (wall - robot.position()).norm() - footprint.radius;
-  plane.note(wall, fmt::format("{:.2f} m free: at most {:.2f} m/s", way, safety::speed_within(way, stopping)),
-             8.0, 4.0, kPurple);
+  const double distance = (wall - robot.position()).norm() - footprint.radius;
+  plane.note(
+      wall,
+      fmt::format("{:.2f} m free: at most {:.2f} m/s", distance, safety::speed_within(distance, stopping)),
+      8.0, 4.0, kPurple);
   plane.key(kVermilion, "the inscribed disc would touch (253)");
   plane.key(kSky, "cost falls with the distance from obstacles");
   plane.key(kGreen, fmt::format("footprint at rest after {} s of reaction and braking with {} m/s^2",

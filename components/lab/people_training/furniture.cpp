@@ -15,10 +15,10 @@ int count_between(Random& random, int least, int most) {
 }
 
 double distance_to(const Segment& segment, const Vector2& p) {
-  const Vector2 way = segment.b - segment.a;
-  const double length = way.squaredNorm();
-  const double share = length > 0.0 ? std::clamp((p - segment.a).dot(way) / length, 0.0, 1.0) : 0.0;
-  return (p - segment.a - share * way).norm();
+  const Vector2 along = segment.b - segment.a;
+  const double length = along.squaredNorm();
+  const double share = length > 0.0 ? std::clamp((p - segment.a).dot(along) / length, 0.0, 1.0) : 0.0;
+  return (p - segment.a - share * along).norm();
 }
 
 }  // namespace
@@ -140,14 +140,14 @@ void Furniture::add_trolley(const Pose2& X_MP, Random& random) {
   if (random.uniform() < 0.4) add_box(Piece::trolley, X_MP, length * 0.8, width * 0.8);
 }
 
-void Furniture::add_dining_place(const Pose2& X_MP, Random& random) {
+void Furniture::add_dining_table(const Pose2& X_MP, Random& random) {
   add(Piece::table, X_MP, random);
   constexpr std::array<double, 4> kSides = {0.0, 0.5, 1.0, 1.5};
   for (const double side : kSides) {
     if (random.uniform() < 0.3) continue;
     const double bearing = side * std::numbers::pi + random.uniform(-0.2, 0.2);
-    const Vector2 place = random.uniform(0.65, 1.05) * direction(bearing);
-    add(Piece::chair, X_MP * Pose2{place.x(), place.y(), bearing + random.uniform(-0.4, 0.4)}, random);
+    const Vector2 position = random.uniform(0.65, 1.05) * direction(bearing);
+    add(Piece::chair, X_MP * Pose2{position.x(), position.y(), bearing + random.uniform(-0.4, 0.4)}, random);
   }
 }
 

@@ -34,7 +34,7 @@ class Furniture {
   void add_segment(Piece piece, const Segment& segment);
 
   /// A table with chairs pushed up to it or drawn back, as many as four.
-  void add_dining_place(const Pose2& X_MP, Random& random);
+  void add_dining_table(const Pose2& X_MP, Random& random);
 
   const StaticObstacles& shapes() const { return shapes_; }
   /// The piece whose surface is nearest to `p_M`; wall when there is none.

@@ -1,5 +1,5 @@
 // Scanners as they are sold, and what they make of the exact distances: noise, steps, beams that are lost,
-// and mixed pixels, where a beam meets two things at an edge and tells a place between them.
+// and mixed pixels, where a beam meets two things at an edge and tells a position between them.
 #pragma once
 
 #include <cstdint>

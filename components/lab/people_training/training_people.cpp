@@ -40,21 +40,21 @@ struct Plan {
   SocialWalkersOptions walking;
 };
 
-void plan_group(int size, const std::function<Vector2()>& free_place, Random& random, Plan& plan) {
-  const Vector2 start = free_place();
-  const Vector2 goal = free_place();
+void plan_group(int size, const std::function<Vector2()>& free_position, Random& random, Plan& plan) {
+  const Vector2 start = free_position();
+  const Vector2 goal = free_position();
   const bool stands = random.uniform() < 0.35;
   const double apart = random.uniform(0.5, 0.8);
   const double ring = size > 1 ? apart / (2.0 * std::sin(std::numbers::pi / size)) : 0.0;
-  const double turned = random.uniform(-std::numbers::pi, std::numbers::pi);
-  const Vector2 way = goal - start;
-  const Vector2 side = direction(std::atan2(way.y(), way.x()) + std::numbers::pi / 2.0);
+  const double rotation = random.uniform(-std::numbers::pi, std::numbers::pi);
+  const Vector2 to_goal = goal - start;
+  const Vector2 side = direction(std::atan2(to_goal.y(), to_goal.x()) + std::numbers::pi / 2.0);
   for (int i = 0; i < size; ++i) {
-    const double bearing = turned + 2.0 * std::numbers::pi * i / size;
+    const double bearing = rotation + 2.0 * std::numbers::pi * i / size;
     if (stands) {
-      const Vector2 place = start + ring * direction(bearing);
+      const Vector2 position = start + ring * direction(bearing);
       ScriptedPersonOptions person;
-      person.waypoints = {{place.x(), place.y()}};
+      person.waypoints = {{position.x(), position.y()}};
       plan.standing.push_back(person);
       plan.facing.push_back(size > 1 ? bearing + std::numbers::pi : bearing);
     } else {
@@ -69,7 +69,7 @@ void plan_group(int size, const std::function<Vector2()>& free_place, Random& ra
 }  // namespace
 
 TrainingPeople::TrainingPeople(const TrainingPeopleOptions& options, const StaticScene& scene,
-                               const std::function<Vector2()>& free_place, Random& random) {
+                               const std::function<Vector2()>& free_position, Random& random) {
   Plan plan;
   plan.walking.speed_min = 0.4;
   plan.walking.speed_max = 1.6;
@@ -77,7 +77,7 @@ TrainingPeople::TrainingPeople(const TrainingPeopleOptions& options, const Stati
   for (int left = options.count; left > 0;) {
     const int drawn = random.uniform() < 0.5 ? 1 : 2 + static_cast<int>(random.uniform() * 3.0);
     const int size = std::min(left, drawn);
-    plan_group(size, free_place, random, plan);
+    plan_group(size, free_position, random, plan);
     left -= size;
   }
   for (std::size_t i = 0; i < plan.standing.size(); ++i) {

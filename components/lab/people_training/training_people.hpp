@@ -21,9 +21,9 @@ struct TrainingPeopleOptions {
 
 class TrainingPeople {
  public:
-  /// `scene` must outlive the people. `free_place` draws somewhere to stand.
+  /// `scene` must outlive the people. `free_position` draws somewhere to stand.
   TrainingPeople(const TrainingPeopleOptions& options, const StaticScene& scene,
-                 const std::function<Vector2()>& free_place, Random& random);
+                 const std::function<Vector2()>& free_position, Random& random);
 
   void step(double dt, const RobotBody& robot);
 

@@ -34,12 +34,12 @@ TrainingRoom::TrainingRoom(const RoomOptions& options, std::uint64_t seed)
       .varied_legs = options.varied_scanner,
       .laser_height = random_.uniform(0.1, 0.5)};
   people_ = std::make_unique<TrainingPeople>(
-      people, *scene_, [this] { return free_place(0.35); }, random_);
-  const Vector2 start = free_place(0.4);
+      people, *scene_, [this] { return free_position(0.35); }, random_);
+  const Vector2 start = free_position(0.4);
   X_ML_ = {start.x(), start.y(), random_.uniform(-std::numbers::pi, std::numbers::pi)};
   X_OL_ = {random_.uniform(-5.0, 5.0), random_.uniform(-5.0, 5.0),
            random_.uniform(-std::numbers::pi, std::numbers::pi)};
-  goal_ = free_place(0.4);
+  goal_ = free_position(0.4);
 }
 
 void TrainingRoom::furnish() {
@@ -59,31 +59,31 @@ void TrainingRoom::furnish() {
   stand_up_to(2, Piece::shelf);
   stand_up_to(4, Piece::plant);
   stand_up_to(3, Piece::trolley);
-  for (int n = count_up_to(random_, 2); n > 0; --n) furniture_.add_dining_place(somewhere(), random_);
+  for (int n = count_up_to(random_, 2); n > 0; --n) furniture_.add_dining_table(somewhere(), random_);
 }
 
-Vector2 TrainingRoom::free_place(double clearance) {
-  Vector2 place{length_ / 2, width_ / 2};
+Vector2 TrainingRoom::free_position(double clearance) {
+  Vector2 position{length_ / 2, width_ / 2};
   for (int attempt = 0; attempt < 200; ++attempt) {
-    place = {random_.uniform(0.4, length_ - 0.4), random_.uniform(0.4, width_ - 0.4)};
-    if (scene_->clearance(place, 1.0) > clearance) break;
+    position = {random_.uniform(0.4, length_ - 0.4), random_.uniform(0.4, width_ - 0.4)};
+    if (scene_->clearance(position, 1.0) > clearance) break;
   }
-  return place;
+  return position;
 }
 
 void TrainingRoom::drive(double dt) {
   if (!moving_) return;
   const Vector2 to_goal = goal_ - X_ML_.position();
   if (to_goal.norm() < 0.3) {
-    goal_ = free_place(0.4);
+    goal_ = free_position(0.4);
     return;
   }
   const double error = wrap_angle(std::atan2(to_goal.y(), to_goal.x()) - X_ML_.theta);
-  const double turn = std::clamp(error, -kTurnRate * dt, kTurnRate * dt);
-  const double way = std::abs(error) < 0.5 ? kSpeed * dt : 0.0;
-  X_ML_ = X_ML_ * Pose2{way * std::cos(turn / 2), way * std::sin(turn / 2), turn};
-  const double believed = turn + kMismatch * way / kSeparation;
-  X_OL_ = X_OL_ * Pose2{way * std::cos(believed / 2), way * std::sin(believed / 2), believed};
+  const double rotation = std::clamp(error, -kTurnRate * dt, kTurnRate * dt);
+  const double distance = std::abs(error) < 0.5 ? kSpeed * dt : 0.0;
+  X_ML_ = X_ML_ * Pose2{distance * std::cos(rotation / 2), distance * std::sin(rotation / 2), rotation};
+  const double believed = rotation + kMismatch * distance / kSeparation;
+  X_OL_ = X_OL_ * Pose2{distance * std::cos(believed / 2), distance * std::sin(believed / 2), believed};
 }
 
 const RoomSweep& TrainingRoom::next() {

@@ -39,7 +39,7 @@ class TrainingRoom {
  public:
   TrainingRoom(const RoomOptions& options, std::uint64_t seed);
 
-  const RoomSweep& next();  ///< as often as the scanner turns
+  const RoomSweep& next();  ///< as often as the scanner rotates
   LaserSweep view() const;  ///< of the last one
 
   const Furniture& furniture() const { return furniture_; }
@@ -48,7 +48,7 @@ class TrainingRoom {
  private:
   void furnish();
   void find_legs();
-  Vector2 free_place(double clearance);
+  Vector2 free_position(double clearance);
   void drive(double dt);
 
   Random random_;

@@ -1,4 +1,4 @@
-// Lines over an axis, or ways on a floor: what a picture of a report holds. Beside lines it may hold bodies,
+// Lines over an axis, or paths on a floor: what a picture of a report holds. Beside lines it may hold bodies,
 // marks, areas and limits.
 #pragma once
 

@@ -6,17 +6,17 @@
 namespace bw::laser {
 namespace {
 
-constexpr int kFullTurn = 360 * 64;    // [1/64 degree]
+constexpr int kRevolution = 360 * 64;  // [1/64 degree]
 constexpr int kMaxAdvance = 20 * 64;   // from node to node: a standard scan has 1 to 2 degrees
 constexpr int kMaxReturn = 3 * 64;     // angles tremble
-constexpr int kAngleLimit = 361 * 64;  // firmware rounds up to a whole turn
+constexpr int kAngleLimit = 361 * 64;  // firmware rounds up to a whole revolution
 
 constexpr std::size_t kRow = 3 * kNodeSize;        // that must fit to be in step again
 constexpr std::size_t kLookBack = 10 * kNodeSize;  // a wall's range may pass for an angle over 4 degrees
 
 bool follows(const Node& before, const Node& node) {
-  const int advance = (node.angle_q6 - before.angle_q6 + 2 * kFullTurn) % kFullTurn;
-  return advance <= kMaxAdvance || advance >= kFullTurn - kMaxReturn;
+  const int advance = (node.angle_q6 - before.angle_q6 + 2 * kRevolution) % kRevolution;
+  return advance <= kMaxAdvance || advance >= kRevolution - kMaxReturn;
 }
 
 std::optional<Node> node_at(std::span<const std::uint8_t> bytes, std::size_t at) {
@@ -85,7 +85,7 @@ bool NodeReader::find_step() {
   }
 }
 
-/// Fits: so many nodes in a row follow each other, over the place where step was lost and a node further.
+/// Fits: so many nodes in a row follow each other, over the position where step was lost and a node further.
 /// What was read in step until there breaks there again, so that nothing is read twice.
 NodeReader::Row NodeReader::row_at(std::size_t at) const {
   const std::size_t end = std::max(at + kRow, next_ + kNodeSize);

@@ -5,10 +5,10 @@
 //   bytes 3-4  distance * 4 [mm]; 0: nothing measured
 //
 // Three bits a node are all that the format gives for keeping in step. What else is known is that the head
-// turns steadily: a node whose angle does not follow the one before is a sign of lost bytes, too. At a wrong
-// place a node has both by chance, one in a hundred, and more in a row where a wall keeps its range: so a
-// reader that lost step looks for it from some nodes before the place on, and reads again what it had read
-// wrongly. What it gave out until then it cannot take back.
+// rotates steadily: a node whose angle does not follow the one before is a sign of lost bytes, too. At a
+// wrong place a node has both by chance, one in a hundred, and more in a row where a wall keeps its range: so
+// a reader that lost step looks for it from some nodes before the position on, and reads again what it had
+// read wrongly. What it gave out until then it cannot take back.
 #pragma once
 
 #include <cstdint>

@@ -9,11 +9,11 @@ constexpr Duration kQuiet = Duration::milliseconds(60);      // what a stopped d
 constexpr Duration kAnswer = Duration::milliseconds(500);    // for an answer, and for nodes to go on
 constexpr Duration kOptional = Duration::milliseconds(200);  // old firmware knows no sample times
 constexpr Duration kSilence = Duration::milliseconds(250);   // told as an error; 2000 nodes come in a second
-constexpr Duration kSpinUp = Duration::milliseconds(5000);   // no nodes before the head turns steadily
+constexpr Duration kSpinUp = Duration::milliseconds(5000);   // no nodes before the head rotates steadily
 constexpr Duration kReset = Duration::milliseconds(1000);    // the firmware starts
-constexpr Duration kNoTurn = Duration::milliseconds(1000);   // nodes without a revolution: the head stands
-constexpr Duration kRefused = Duration::milliseconds(2000);  // until another device may be there
-constexpr Duration kLegacySampleTime = {476'000};            // of firmware that does not tell its own [ns]
+constexpr Duration kStandstill = Duration::milliseconds(1000);  // nodes without a revolution: the head stands
+constexpr Duration kRefused = Duration::milliseconds(2000);     // until another device may be there
+constexpr Duration kLegacySampleTime = {476'000};               // of firmware that does not tell its own [ns]
 constexpr int kAttemptsToReset = 3;
 
 std::string one_decimal(double value) {
@@ -138,7 +138,7 @@ void Rplidar::set_motor(bool runs) {
   const auto pwm = static_cast<std::uint16_t>(runs ? options_.motor_pwm : 0);
   const auto rpm = static_cast<std::uint16_t>(runs ? options_.motor_rpm : 0);
   switch (info_->family().value_or(Model::automatic)) {
-    case Model::a1:  // cleared: it turns; where there is no such line it turns with the power
+    case Model::a1:  // cleared: it rotates; where there is no such line it rotates with the power
       static_cast<void>(link_.set_dtr(!runs));
       break;
     case Model::a2:
@@ -148,7 +148,7 @@ void Rplidar::set_motor(bool runs) {
     case Model::s:
       static_cast<void>(link_.write(request(Command::motor_rpm, rpm)));
       break;
-    case Model::c1:  // turns while it scans
+    case Model::c1:  // rotates while it scans
     case Model::automatic:
       break;
   }
@@ -165,12 +165,12 @@ void Rplidar::add_nodes(Time now, const std::vector<Node>& nodes) {
 }
 
 void Rplidar::on_revolution(Time now, Revolution revolution) {
-  const Duration turn = revolution.next - revolution.first;
-  if (turn <= Duration{} || revolution.samples.empty()) return;
+  const Duration period = revolution.next - revolution.first;
+  if (period <= Duration{} || revolution.samples.empty()) return;
   ++revolutions_;
   attempts_ = 0;
   last_revolution_ = now;
-  rate_ = 1.0 / turn.to_seconds();
+  rate_ = 1.0 / period.to_seconds();
   points_ = revolution.samples.size();
   over_.push_back(std::move(revolution));
 }
@@ -208,7 +208,7 @@ void Rplidar::look_for_silence(Time now) {
     begin(now);
     is_silent_ = has_nodes;
   }
-  if (last_revolution_ ? now - *last_revolution_ > kNoTurn : now - entered_ > kSpinUp) rate_ = 0.0;
+  if (last_revolution_ ? now - *last_revolution_ > kStandstill : now - entered_ > kSpinUp) rate_ = 0.0;
 }
 
 std::string Rplidar::waiting_text() const {

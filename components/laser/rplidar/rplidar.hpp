@@ -7,7 +7,7 @@
 //
 // Any of info, health and scan that is not answered within 0.5 s begins from quiet; every third time with a
 // reset of the firmware.
-// Nothing turns before the device has said which one it is.
+// Nothing rotates before the device has said which one it is.
 #pragma once
 
 #include <cstdint>

@@ -73,13 +73,13 @@ void LocalPlannerComponent::report(const Tick& tick, const PlanningProblem& prob
   const bool is_stale = tick.health == Health::stop || !inputs_.pose();
   FollowCycle cycle{.now = tick.now,
                     .missing = is_stale ? result.reason : "",
-                    .unknown_place = is_stale ? "" : missing,
+                    .unknown_pose = is_stale ? "" : missing,
                     .base_stop = base_.at(tick.now),
                     .X_OB = problem.pose,
                     .X_OG = {},
                     .distance_to_goal = path_.distance_to_goal(),
                     .is_on_last_leg = path_.is_on_last_leg(),
-                    .way_made = path_.way_made(),
+                    .travelled = path_.travelled(),
                     .twist = problem.twist,
                     .status = result.status,
                     .reason = result.reason};

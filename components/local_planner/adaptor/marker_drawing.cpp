@@ -9,7 +9,7 @@ namespace {
 using visualization_msgs::msg::Marker;
 namespace constants = visualization_msgs::msg::Marker_Constants;
 
-bool has_place(const geometry_msgs::msg::Point& p) {
+bool has_position(const geometry_msgs::msg::Point& p) {
   return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
 }
 
@@ -32,10 +32,10 @@ Marker MarkerDrawing::make(const std::string& ns, std::int32_t type, double size
 }
 
 void MarkerDrawing::add(Marker marker) {
-  const bool drawable = has_place(marker.pose().position()) &&
+  const bool drawable = has_position(marker.pose().position()) &&
                         std::isfinite(marker.pose().orientation().z()) && std::isfinite(marker.scale().x()) &&
                         std::isfinite(marker.scale().y()) &&
-                        std::all_of(marker.points().begin(), marker.points().end(), has_place);
+                        std::all_of(marker.points().begin(), marker.points().end(), has_position);
   if (drawable) array_.markers().push_back(std::move(marker));
 }
 

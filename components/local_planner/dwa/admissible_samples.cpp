@@ -19,11 +19,11 @@ double stopping_distance(double v, const PlanningProblem& problem, const DwaOpti
   return std::abs(v) * held + v * v / (2.0 * problem.limits.acc_max);
 }
 
-// Fox 1997: does turning go on beyond a contact after this travel?
-bool turns_too_fast(const Twist2& twist, double contact, const Limits& limits) {
+// Fox 1997: does the rotation go on beyond a contact after this travel?
+bool rotates_too_fast(const Twist2& twist, double contact, const Limits& limits) {
   if (std::isinf(contact)) return false;
-  const double turn_left = contact * std::abs(twist.omega / twist.v);
-  return twist.omega * twist.omega > 2.0 * turn_left * limits.alpha_max;
+  const double rotation = contact * std::abs(twist.omega / twist.v);
+  return twist.omega * twist.omega > 2.0 * rotation * limits.alpha_max;
 }
 
 VelocityWindow window_of(const PlanningProblem& problem, const DwaOptions& options) {
@@ -64,7 +64,7 @@ bool stops_in_time(const Sample& sample, const Surroundings& around, const Plann
   const double asked = options.limit_turn_rate ? around.travel : stopping;
   const double contact = contact_distance(sample.arc, around.frozen, around.margin, asked);
   if (stopping > contact) return false;
-  return !options.limit_turn_rate || !turns_too_fast(twist, contact, problem.limits);
+  return !options.limit_turn_rate || !rotates_too_fast(twist, contact, problem.limits);
 }
 
 double gap_of(const Sample& sample, const Surroundings& around, const PlanningProblem& problem,

@@ -17,8 +17,8 @@ struct Arc {
 };
 
 /// Travel s_c [m] until the gap falls to `margin` [m]; 0 if it is no larger at the start; infinite if it does
-/// not within `up_to` [m], or when the robot does not travel. Looks at 1000 places at most and takes the last
-/// of them for a contact, so that an endless way along a wall costs no endless time.
+/// not within `up_to` [m], or when the robot does not travel. Looks at 1000 positions at most and takes the
+/// last of them for a contact, so that an endless path along a wall costs no endless time.
 double contact_distance(const Arc& arc, const ClearanceField& field, double margin, double up_to);
 
 /// Smallest gap [m] over the first `horizon` seconds, at least as good as tests every `step` [s].

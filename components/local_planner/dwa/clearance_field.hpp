@@ -1,5 +1,5 @@
-// How far a robot disc at some place is from everything around it, all of it frozen (theory.md 5.2: DWA sees
-// moving obstacles as standing). Flat arrays: the distance is asked for thousands of times per cycle.
+// How far a robot disc at some position is from everything around it, all of it frozen (theory.md 5.2: DWA
+// sees moving obstacles as standing). Flat arrays: the distance is asked for thousands of times per cycle.
 #pragma once
 
 #include <Eigen/Core>

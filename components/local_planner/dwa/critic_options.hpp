@@ -16,7 +16,7 @@ inline constexpr double kInflationRadius = 0.55;
 inline constexpr double kCostScaling = 3.0;
 /// What tells equals apart: the faster [s/m], and who turns as now [s/rad].
 inline constexpr double kSpeedScale = 1.0;
-inline constexpr double kTurnChangeScale = 0.5;
+inline constexpr double kTurnRateChangeScale = 0.5;
 
 struct CriticOptions {
   double path_dist_scale = 32.0;

@@ -11,13 +11,13 @@ namespace bw::dwa {
 
 /// Each the larger the worse, before the scales.
 struct Critique {
-  double path_dist = 0.0;      ///< from the plan to the end of the roll-out [m]
-  double path_align = 0.0;     ///< from the plan to a point before the robot there [m]
-  double goal_dist = 0.0;      ///< way that is left along the plan [m]
-  double goal_align = 0.0;     ///< the same of the point before the robot [m]
-  double base_obstacle = 0.0;  ///< from 0, nothing near, to 1, contact
-  double slowness = 0.0;       ///< below v_max [m/s]
-  double turn_change = 0.0;    ///< against the present turn rate [rad/s]
+  double path_dist = 0.0;         ///< from the plan to the end of the roll-out [m]
+  double path_align = 0.0;        ///< from the plan to a point before the robot there [m]
+  double goal_dist = 0.0;         ///< distance that is left along the plan [m]
+  double goal_align = 0.0;        ///< the same of the point before the robot [m]
+  double base_obstacle = 0.0;     ///< from 0, nothing near, to 1, contact
+  double slowness = 0.0;          ///< below v_max [m/s]
+  double turn_rate_change = 0.0;  ///< against the present turn rate [rad/s]
 };
 
 /// The plan and where on it the robot is [m].
@@ -29,7 +29,7 @@ struct Course {
 /// `plan` is not empty.
 Course course_of(const std::vector<Pose2>& plan, const PlanningProblem& problem);
 
-/// A place of the plan counts as near to the end of a roll-out only if the way driven can have led so far
+/// A position on the plan counts as near to the end of a roll-out only if the path driven can have led so far
 /// along it: where the plan comes back on the other side of a wall is no shortcut.
 Critique critique(const RollOut& roll_out, const Course& course, const PlanningProblem& problem);
 

@@ -22,7 +22,7 @@ bool can_brake(const RollOut& out, const PlanningProblem& problem) {
   const double v = std::abs(out.twist.v);
   if (v > 0.0) return v * problem.control_period + v * v / (2.0 * limits.acc_max) <= out.travel;
   const double omega = std::abs(out.twist.omega);
-  return omega * problem.control_period + omega * omega / (2.0 * limits.alpha_max) <= out.turn;
+  return omega * problem.control_period + omega * omega / (2.0 * limits.alpha_max) <= out.rotation;
 }
 
 }  // namespace
@@ -30,12 +30,12 @@ bool can_brake(const RollOut& out, const PlanningProblem& problem) {
 void CriticsPlanner::remember(const CheckedPlanner& earlier) {
   const auto* same = dynamic_cast<const CriticsPlanner*>(&earlier);
   if (same == nullptr) return;
-  turn_ = same->turn_;
+  rotate_to_plan_ = same->rotate_to_plan_;
   recovery_ = same->recovery_;
 }
 
 void CriticsPlanner::forget() {
-  turn_.forget();
+  rotate_to_plan_.forget();
   recovery_.forget();
 }
 
@@ -50,16 +50,16 @@ PlanningResult CriticsPlanner::drive(const PlanningProblem& problem) {
   const Course course = course_of(led_plan(problem, critics.margin), problem);
   const std::optional<HrvoGuide> guide = guide_of(problem);
   RollOuts roll_outs(problem, {.horizon = critics.sim_time,
-                               .way = course.line.length() - course.along,
+                               .distance = course.line.length() - course.along,
                                .margin = critics.margin,
                                .reach = std::max(kInflationRadius, critics.margin),
                                .predict_movers = options_.predict_movers});
-  const std::optional<double> turn =
-      guide && guide->has_direction() ? std::nullopt : turn_.angle(problem, course, critics);
+  const std::optional<double> rotation =
+      guide && guide->has_direction() ? std::nullopt : rotate_to_plan_.angle(problem, course, critics);
   const PlanningProblem walkers = walkers_alone(problem);
   PlanningResult result;
   result.iterations = 1;
-  choose(judged(problem, walkers, course, roll_outs, guide, turn), roll_outs, walkers, result);
+  choose(judged(problem, walkers, course, roll_outs, guide, rotation), roll_outs, walkers, result);
   Safety safety;
   if (!result.trajectory.empty()) {
     safety = {true, safety_of(result.trajectory, problem, driving()).comfort};
@@ -79,7 +79,7 @@ std::vector<CriticsPlanner::Judged> CriticsPlanner::judged(const PlanningProblem
                                                            const PlanningProblem& walkers,
                                                            const Course& course, RollOuts& roll_outs,
                                                            const std::optional<HrvoGuide>& guide,
-                                                           std::optional<double> turn) const {
+                                                           std::optional<double> rotation) const {
   const CriticOptions& critics = options_.critics;
   const VelocityWindow window = velocity_window(
       problem.twist, problem.limits, speed_towards_end(problem, options_.arc_to_goal, problem.command_lead),
@@ -93,9 +93,10 @@ std::vector<CriticsPlanner::Judged> CriticsPlanner::judged(const PlanningProblem
     if (!can_brake(out, problem)) continue;
     const Critique c = critique(out, course, problem);
     double costs = cost(c, critics);
-    if (turn) {
-      // Slower first, then the turn; what else they cost tells equals apart.
-      costs = 1e3 * (twist.v - window.v.low) + 1e2 * turn_left_over(twist, *turn, problem) + 1e-3 * costs;
+    if (rotation) {
+      // Slower first, then the rotation; what else they cost tells equals apart.
+      costs =
+          1e3 * (twist.v - window.v.low) + 1e2 * rotation_left_over(twist, *rotation, problem) + 1e-3 * costs;
     } else if (guide && guide->has_direction()) {
       costs = cost_without_align(c, critics) + guide->cost(out);
     }

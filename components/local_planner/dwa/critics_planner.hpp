@@ -9,8 +9,8 @@
 #include "components/local_planner/dwa/critics.hpp"
 #include "components/local_planner/dwa/dwa_options.hpp"
 #include "components/local_planner/dwa/hrvo_guide.hpp"
+#include "components/local_planner/dwa/rotate_to_plan.hpp"
 #include "components/local_planner/dwa/stuck_recovery.hpp"
-#include "components/local_planner/dwa/turn_to_plan.hpp"
 #include "components/local_planner/hrvo/hrvo_options.hpp"
 #include "components/model/planning.hpp"
 
@@ -18,7 +18,7 @@ namespace bw::dwa {
 
 /// Each call: the velocities in reach, of those the ones that can brake before the footprint touches
 /// anything, of those the cheapest (critics.hpp) from which it can brake clear of where people will be. Where
-/// the plan leads off by more than rotate_threshold: a turn on the spot. If none is admissible: as every
+/// the plan leads off by more than rotate_threshold: a rotation in place. If none is admissible: as every
 /// planner, an evasive move or a stop, status infeasible; a robot that stands long backs off. Remembers which
 /// way it turns and how long it stands.
 class CriticsPlanner final : public CheckedPlanner {
@@ -43,7 +43,7 @@ class CriticsPlanner final : public CheckedPlanner {
   std::optional<HrvoGuide> guide_of(const PlanningProblem& problem) const;
   std::vector<Judged> judged(const PlanningProblem& problem, const PlanningProblem& walkers,
                              const Course& course, RollOuts& roll_outs, const std::optional<HrvoGuide>& guide,
-                             std::optional<double> turn) const;
+                             std::optional<double> rotation) const;
   void choose(const std::vector<Judged>& judged, const RollOuts& roll_outs, const PlanningProblem& walkers,
               PlanningResult& result) const;
   double comfort_among_walkers(const PlanningProblem& walkers, const RollOuts& roll_outs,
@@ -53,7 +53,7 @@ class CriticsPlanner final : public CheckedPlanner {
   DwaOptions options_;
   std::optional<EdwaOptions> edwa_;
   hrvo::HrvoOptions hrvo_;
-  TurnToPlan turn_;
+  RotateToPlan rotate_to_plan_;
   StuckRecovery recovery_;
 };
 

@@ -65,9 +65,9 @@ void DwaPlanner::choose(const std::vector<Sample>& samples, const std::vector<do
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     if (scores[a] != scores[b]) return scores[a] > scores[b];
     // Of equals the straightest, so that a mirrored scene is driven mirrored.
-    const double turn_a = std::abs(samples[a].arc.twist.omega);
-    const double turn_b = std::abs(samples[b].arc.twist.omega);
-    return turn_a != turn_b ? turn_a < turn_b : a < b;
+    const double turn_rate_a = std::abs(samples[a].arc.twist.omega);
+    const double turn_rate_b = std::abs(samples[b].arc.twist.omega);
+    return turn_rate_a != turn_rate_b ? turn_rate_a < turn_rate_b : a < b;
   });
   for (const std::size_t index : order) {
     const Sample& sample = samples[index];

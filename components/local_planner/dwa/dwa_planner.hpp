@@ -16,8 +16,8 @@ namespace bw::dwa {
 /// Each call: the velocities in reach, of those the ones that can brake before the first contact on their
 /// arc, of those the one with the largest G = alpha head + beta dist + gamma vel (3.1), and, by
 /// option, from which it can brake clear of where people will be. The footprint counts as a disc. If none is
-/// admissible: an evasive move, if one is asked for and clear; else braking with no turn, status infeasible.
-/// Keeps nothing from call to call.
+/// admissible: an evasive move, if one is asked for and clear; else braking with no rotation, status
+/// infeasible. Keeps nothing from call to call.
 class DwaPlanner final : public CheckedPlanner {
  public:
   /// DWA itself, or with another source of its heading and velocity terms.

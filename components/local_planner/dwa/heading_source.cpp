@@ -7,7 +7,7 @@
 namespace bw::dwa {
 namespace {
 
-double bearing(const Vector2& way) { return std::atan2(way.y(), way.x()); }
+double bearing(const Vector2& vector) { return std::atan2(vector.y(), vector.x()); }
 
 /// Error of `heading_of(end of the sample)` against the bearing of the aim from there.
 template <class HeadingOf>

@@ -15,14 +15,14 @@
 namespace bw::dwa {
 namespace {
 
-constexpr double kAhead = 6.0;      // [m] of the plan that are looked at
-constexpr double kBehind = 1.5;     // [m] by which the grid goes beyond robot and target
-constexpr double kAside = 3.0;      // [m] to either side
-constexpr double kCell = 0.1;       // [m]
-constexpr double kLook = 0.05;      // [m] between two looks along a line
-constexpr double kRejoin = 0.4;     // [m] after the last blocked place
-constexpr double kComfort = 0.15;   // [m] more than needed, for which a way may be twice as long
-constexpr double kOwnPlace = 0.25;  // [m] around the robot that is free whatever stands there
+constexpr double kAhead = 6.0;       // [m] of the plan that are looked at
+constexpr double kBehind = 1.5;      // [m] by which the grid goes beyond robot and target
+constexpr double kAside = 3.0;       // [m] to either side
+constexpr double kCell = 0.1;        // [m]
+constexpr double kLook = 0.05;       // [m] between two looks along a line
+constexpr double kRejoin = 0.4;      // [m] after the last blocked position
+constexpr double kComfort = 0.15;    // [m] more than needed, for which a path may be twice as long
+constexpr double kOwnRadius = 0.25;  // [m] around the robot that is free whatever stands there
 constexpr int kFar = std::numeric_limits<int>::max();
 
 class Obstacles {
@@ -54,7 +54,7 @@ class Obstacles {
   CapsuleIndex index_;
 };
 
-// Cells around the straight way from the robot to the place where the plan is joined again, along it and
+// Cells around the straight path from the robot to the position where the plan is joined again, along it and
 // across.
 class Grid {
  public:
@@ -67,19 +67,19 @@ class Grid {
         rows_(2 * aside_ + 1) {
     price_.resize(static_cast<std::size_t>(columns_ * rows_));
     for (int i = 0; i < columns_ * rows_; ++i) {
-      const double room = obstacles.distance(place(i), needed + kComfort);
-      const bool own = (place(i) - robot).norm() <= kOwnPlace || i == cell(target_, 0);
+      const double room = obstacles.distance(position(i), needed + kComfort);
+      const bool own = (position(i) - robot).norm() <= kOwnRadius || i == cell(target_, 0);
       price_[static_cast<std::size_t>(i)] = room >= needed + kComfort ? 1 : room >= needed || own ? 2 : 0;
     }
   }
 
-  /// From the robot to the target; nothing when no way leads there. Among equals the one nearer to the
-  /// straight way.
-  std::optional<std::vector<Vector2>> way() const {
-    const std::vector<int> left = ways_to_target();
+  /// From the robot to the target; nothing when no path leads there. Among equals the one nearer to the
+  /// straight path.
+  std::optional<std::vector<Vector2>> path() const {
+    const std::vector<int> left = costs_to_target();
     int at = cell(0, 0);
     if (left[static_cast<std::size_t>(at)] == kFar) return std::nullopt;
-    std::vector<Vector2> points{place(at)};
+    std::vector<Vector2> points{position(at)};
     while (at != cell(target_, 0)) {
       std::tuple best{kFar, kFar, kFar, at};
       for_each_neighbour(at, [&](int next, int length) {
@@ -90,14 +90,14 @@ class Grid {
                                          std::abs(row), row, next});
       });
       at = std::get<3>(best);
-      points.push_back(place(at));
+      points.push_back(position(at));
     }
     return points;
   }
 
  private:
   int cell(int along, int across) const { return (across + aside_) * columns_ + along + before_; }
-  Vector2 place(int i) const {
+  Vector2 position(int i) const {
     return X_ * Vector2(kCell * (i % columns_ - before_), kCell * (i / columns_ - aside_));
   }
   template <class Visit>
@@ -112,7 +112,7 @@ class Grid {
     }
   }
   // In whole numbers, so that nothing hangs on the order of sums.
-  std::vector<int> ways_to_target() const {
+  std::vector<int> costs_to_target() const {
     std::vector<int> left(price_.size(), kFar);
     using Entry = std::pair<int, int>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
@@ -137,21 +137,21 @@ class Grid {
 
   Pose2 X_;  // the robot, looking at the target
   int before_, aside_, target_, columns_, rows_;
-  std::vector<int> price_;  // 0: no way through; 2: nearer than it need be
+  std::vector<int> price_;  // 0: no path through; 2: nearer than it need be
 };
 
-// Straight where that passes no nearer than the way does.
-std::vector<Vector2> pulled_straight(const std::vector<Vector2>& way, const Obstacles& obstacles,
+// Straight where that passes no nearer than the path does.
+std::vector<Vector2> pulled_straight(const std::vector<Vector2>& path, const Obstacles& obstacles,
                                      double enough) {
-  std::vector<Vector2> pulled{way.front()};
-  for (std::size_t from = 0; from + 1 < way.size();) {
+  std::vector<Vector2> pulled{path.front()};
+  for (std::size_t from = 0; from + 1 < path.size();) {
     std::size_t to = from + 1;
     double room = enough;
-    for (std::size_t i = from + 1; i < way.size(); ++i) {
-      room = std::min(room, obstacles.distance(way[i], enough));
-      if (obstacles.least_along(way[from], way[i], enough) >= room - 1e-9) to = i;
+    for (std::size_t i = from + 1; i < path.size(); ++i) {
+      room = std::min(room, obstacles.distance(path[i], enough));
+      if (obstacles.least_along(path[from], path[i], enough) >= room - 1e-9) to = i;
     }
-    pulled.push_back(way[to]);
+    pulled.push_back(path[to]);
     from = to;
   }
   return pulled;
@@ -167,7 +167,7 @@ std::vector<Pose2> led_plan(const PlanningProblem& problem, double margin) {
   const Obstacles obstacles(problem);
   const double fits = inscribed_radius(problem.footprint);
   const double needed = fits + margin;
-  // Of a robot that is wider than the grid, or inside of something, no way leads anywhere.
+  // Of a robot that is wider than the grid, or inside of something, no path leads anywhere.
   if (needed > kAside || obstacles.distance(robot, fits) < 0.0) return problem.plan;
   double last_blocked = -1.0;
   const int looks = static_cast<int>((end - begin) / kLook);
@@ -180,10 +180,10 @@ std::vector<Pose2> led_plan(const PlanningProblem& problem, double margin) {
   const Vector2 target = line.at(std::min(join, line.length()));
   if ((target - robot).norm() > 2.0 * kAhead || obstacles.distance(target, needed) < needed)
     return problem.plan;
-  const std::optional<std::vector<Vector2>> way = Grid(robot, target, obstacles, needed).way();
-  if (!way) return problem.plan;
+  const std::optional<std::vector<Vector2>> path = Grid(robot, target, obstacles, needed).path();
+  if (!path) return problem.plan;
   std::vector<Pose2> led;
-  for (const Vector2& p : pulled_straight(*way, obstacles, needed + kComfort))
+  for (const Vector2& p : pulled_straight(*path, obstacles, needed + kComfort))
     led.push_back({p.x(), p.y(), 0.0});
   double along = 0.0;
   for (std::size_t i = 0; i < problem.plan.size(); ++i) {

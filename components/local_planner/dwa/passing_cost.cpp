@@ -11,8 +11,8 @@ namespace bw::dwa {
 namespace {
 
 constexpr double kDeepestTouch =
-    0.3;                         // [m] that somebody may be touched by and one motion be better than another
-constexpr double kAnyWay = 1e3;  // [m]: it is the time that ends them
+    0.3;  // [m] that somebody may be touched by and one motion be better than another
+constexpr double kAnyDistance = 1e3;  // [m]: it is the time that ends them
 
 }  // namespace
 
@@ -33,7 +33,7 @@ PlanningProblem walkers_alone(const PlanningProblem& problem) {
 PassingCost::Group::Group(PlanningProblem among, const EdwaOptions& options)
     : problem(std::move(among)),
       roll_outs(problem, {.horizon = options.mover_horizon,
-                          .way = kAnyWay,
+                          .distance = kAnyDistance,
                           .margin = -kDeepestTouch,
                           .reach = options.passing_gap,
                           .predict_movers = true}) {}

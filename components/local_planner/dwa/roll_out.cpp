@@ -9,11 +9,11 @@
 namespace bw::dwa {
 namespace {
 
-constexpr double kMaxMotion = 0.05;  // [m] that any point of the footprint moves between two looks
-constexpr double kMaxSteps = 200;    // a base that is faster than any gets longer ones
-constexpr double kMoverStep = 0.1;   // [s] between places of movers
-constexpr double kMaxTurn = 3.0;     // [rad]; a heading reached by turning on would look like one not left
-constexpr double kDeepest = 0.3;     // [m] that it may be inside of something and leave
+constexpr double kMaxMotion = 0.05;   // [m] that any point of the footprint moves between two looks
+constexpr double kMaxSteps = 200;     // a base that is faster than any gets longer ones
+constexpr double kMoverStep = 0.1;    // [s] between positions of movers
+constexpr double kMaxRotation = 3.0;  // [rad]; a heading reached by rotating on would look like one not left
+constexpr double kDeepest = 0.3;      // [m] that it may be inside of something and leave
 constexpr double kNoCloserInside = 0.001;  // [m] by which a motion inside the margin may come closer
 
 // Movers that stand where they are become discs.
@@ -59,10 +59,11 @@ RollOut RollOuts::along(const Twist2& held) {
   RollOut out{.twist = held, .end = problem_.pose, .gap = gap_now_};
   // No gap changes faster than the footprint moves, and movers.
   double surely = rules_.predict_movers ? 0.0 : gap_now_;
-  for (int i = 0; i < static_cast<int>(steps) && out.travel < rules_.way && out.turn < kMaxTurn; ++i) {
+  for (int i = 0; i < static_cast<int>(steps) && out.travel < rules_.distance && out.rotation < kMaxRotation;
+       ++i) {
     const Twist2 twist = velocity_at(held, (i + 0.5) * dt);
-    const double way_left = rules_.way - out.travel;
-    const double step = std::abs(twist.v) * dt > way_left ? way_left / std::abs(twist.v) : dt;
+    const double distance_left = rules_.distance - out.travel;
+    const double step = std::abs(twist.v) * dt > distance_left ? distance_left / std::abs(twist.v) : dt;
     const Pose2 next = advance_exact(out.end, twist, step);
     surely -= (std::abs(twist.v) + std::abs(twist.omega) * problem_.footprint.radius) * step;
     if (surely < out.gap) {
@@ -80,7 +81,7 @@ RollOut RollOuts::along(const Twist2& held) {
     out.end = next;
     out.time = i * dt + step;
     out.travel += std::abs(twist.v) * step;
-    out.turn += std::abs(twist.omega) * step;
+    out.rotation += std::abs(twist.omega) * step;
   }
   return out;
 }

@@ -11,7 +11,7 @@ namespace bw::dwa {
 
 struct RollOutRules {
   double horizon = 1.7;         ///< [s]
-  double way = 0.0;             ///< longest travel [m]
+  double distance = 0.0;        ///< longest travel [m]
   double margin = 0.0;          ///< a gap below it is contact [m]
   double reach = 0.55;          ///< larger gaps are not told apart [m]
   bool predict_movers = false;  ///< movers are where they will be; else they stand where they are
@@ -19,10 +19,10 @@ struct RollOutRules {
 
 struct RollOut {
   Twist2 twist;           ///< that is held
-  Pose2 end;              ///< at the horizon, at the end of the way, after 3 rad, or before the contact
+  Pose2 end;              ///< at the horizon, at the longest distance, after 3 rad, or before the contact
   double time = 0.0;      ///< until there [s]
   double travel = 0.0;    ///< until there [m]
-  double turn = 0.0;      ///< until there, either way [rad]
+  double rotation = 0.0;  ///< until there, either way [rad]
   double gap = 0.0;       ///< smallest until there [m]; at most the reach
   double gap_time = 0.0;  ///< when it is that small [s]
   bool meets = false;     ///< it ends before a contact

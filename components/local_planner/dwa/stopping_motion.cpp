@@ -17,7 +17,7 @@ std::vector<TrajectoryPoint> stopping_motion(const Arc& arc, double hold, double
   const double braking = speed / deceleration;
   const double step = std::max(kTimeStep, braking / kMaxTimeSteps);
   for (double time = std::min(step, braking); time > 0.0; time = std::min(time + step, braking)) {
-    // All of the motion lies on the arc: braking shows in when a place is reached.
+    // All of the motion lies on the arc: braking shows in when a position is reached.
     const double travel = speed * time - 0.5 * deceleration * time * time;
     const double share = std::max(0.0, 1.0 - time / braking);
     motion.push_back(

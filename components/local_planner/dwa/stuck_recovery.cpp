@@ -12,7 +12,7 @@ namespace bw::dwa {
 namespace {
 
 constexpr double kPatience = 2.0;       // [s]
-constexpr double kWay = 0.3;            // [m]
+constexpr double kDistance = 0.3;       // [m]
 constexpr double kMarginBehind = 0.05;  // [m]
 constexpr double kNearPeople = 2.0;     // [m] within which it waits for who walks
 
@@ -41,7 +41,7 @@ void StuckRecovery::apply(const PlanningProblem& problem, PlanningResult& result
   if (!backing_from_ && is_stuck(problem, result)) backing_from_ = here;
   if (!backing_from_) return;
   const PlanningResult back = back_off(problem, problem.command_lead, kMarginBehind);
-  if ((here - *backing_from_).norm() >= kWay || back.status != PlanningStatus::ok) {
+  if ((here - *backing_from_).norm() >= kDistance || back.status != PlanningStatus::ok) {
     forget();
     return;
   }

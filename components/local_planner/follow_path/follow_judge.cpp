@@ -8,8 +8,8 @@
 namespace bw {
 namespace {
 
-constexpr double kStandingSpeed = 0.05;  // [m/s]
-constexpr double kStandingTurn = 0.1;    // [rad/s]
+constexpr double kStandingSpeed = 0.05;    // [m/s]
+constexpr double kStandingTurnRate = 0.1;  // [rad/s]
 constexpr double kLeftAlongPath = 1.0;  // [m] at most at the goal: a path that ends where it begins is driven
 
 FollowVerdict failed(FollowFault fault, std::string reason) { return {true, {fault, std::move(reason)}}; }
@@ -27,7 +27,7 @@ void FollowJudge::begin() { *this = {}; }
 FollowVerdict FollowJudge::judge(const FollowCycle& cycle, const FollowPathOptions& options) {
   if (cycle.now < now_) begin();  // the clock went back
   now_ = cycle.now;
-  if (!cycle.missing.empty() || !cycle.unknown_place.empty()) return judge_absence(cycle, options);
+  if (!cycle.missing.empty() || !cycle.unknown_pose.empty()) return judge_absence(cycle, options);
   absent_since_.reset();
   if (is_there(cycle, options.goal_checker)) return {.is_over = true, .failure = {}};
   if (cycle.base_stop && cycle.base_stop->is_latched)
@@ -46,8 +46,8 @@ FollowVerdict FollowJudge::judge(const FollowCycle& cycle, const FollowPathOptio
 
 // Not any movement, as in Nav2: who drives to and fro gets nowhere.
 bool FollowJudge::makes_progress(const FollowCycle& cycle, const ProgressCheckerOptions& options) {
-  if (!progress_ || cycle.way_made >= progress_->way_made + options.required_movement_radius)
-    progress_ = Progress{cycle.now, cycle.way_made};
+  if (!progress_ || cycle.travelled >= progress_->travelled + options.required_movement_radius)
+    progress_ = Progress{cycle.now, cycle.travelled};
   return cycle.now - progress_->time <= Duration::seconds(options.movement_time_allowance);
 }
 
@@ -55,7 +55,7 @@ FollowVerdict FollowJudge::judge_absence(const FollowCycle& cycle, const FollowP
   within_since_.reset();
   const Duration absent = time_since(absent_since_, cycle.now);
   if (absent < Duration::seconds(options.costmap_update_timeout)) return {};
-  return cycle.missing.empty() ? failed(FollowFault::tf_error, cycle.unknown_place)
+  return cycle.missing.empty() ? failed(FollowFault::tf_error, cycle.unknown_pose)
                                : failed(FollowFault::controller_timed_out, cycle.missing);
 }
 
@@ -70,17 +70,17 @@ bool FollowJudge::is_there(const FollowCycle& cycle, const GoalCheckerOptions& o
     return false;
   }
   const bool is_standing =
-      std::abs(cycle.twist.v) <= kStandingSpeed && std::abs(cycle.twist.omega) <= kStandingTurn;
+      std::abs(cycle.twist.v) <= kStandingSpeed && std::abs(cycle.twist.omega) <= kStandingTurnRate;
   return time_since(within_since_, cycle.now) >= Duration::seconds(options.settle_time) || is_standing;
 }
 
 FollowVerdict FollowJudge::judge_control(const FollowCycle& cycle, double tolerance) {
   if (cycle.status == PlanningStatus::ok) {
-    no_way_since_ = cycle.now;
+    no_motion_since_ = cycle.now;
     return {};
   }
   if (tolerance == 0.0) return failed(FollowFault::no_valid_control, cycle.reason);
-  const Duration without = time_since(no_way_since_, cycle.now);
+  const Duration without = time_since(no_motion_since_, cycle.now);
   if (tolerance < 0.0 || without <= Duration::seconds(tolerance)) return {};
   std::ostringstream reason;
   reason << cycle.reason << "; no way for more than " << tolerance << " s";

@@ -15,14 +15,14 @@ namespace bw {
 /// What a cycle knew and did. Poses are of base_link in odom.
 struct FollowCycle {
   Time now;
-  std::string missing;        ///< an input that is stale, or was never there; empty: none
-  std::string unknown_place;  ///< the transform that is not known; empty: none
+  std::string missing;       ///< an input that is stale, or was never there; empty: none
+  std::string unknown_pose;  ///< the transform that is not known; empty: none
   std::optional<BaseStop> base_stop = std::nullopt;  ///< nothing: it obeys, or does not tell
   Pose2 X_OB;                                        ///< of no meaning when something is missing or not known
   Pose2 X_OG;
   double distance_to_goal = 0.0;  ///< along the path [m]
   bool is_on_last_leg = true;     ///< the path does not turn back any more before the goal
-  double way_made = 0.0;          ///< along the paths of this drive [m]
+  double travelled = 0.0;         ///< along the paths of this drive [m]
   Twist2 twist;
   PlanningStatus status = PlanningStatus::ok;
   std::string reason;  ///< of the planner
@@ -49,12 +49,12 @@ class FollowJudge {
   Time now_;
   struct Progress {
     Time time;
-    double way_made;  ///< then [m]
+    double travelled;  ///< then [m]
   };
-  std::optional<Progress> progress_;  ///< the last
-  std::optional<Time> absent_since_;  ///< something needed
-  std::optional<Time> within_since_;  ///< the tolerances of the goal
-  std::optional<Time> no_way_since_;  ///< the last cycle that had one
+  std::optional<Progress> progress_;     ///< the last
+  std::optional<Time> absent_since_;     ///< something needed
+  std::optional<Time> within_since_;     ///< the tolerances of the goal
+  std::optional<Time> no_motion_since_;  ///< the last cycle that had one
 };
 
 }  // namespace bw

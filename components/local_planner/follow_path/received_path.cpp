@@ -7,12 +7,12 @@ namespace {
 
 constexpr double kSpacing = 0.01;  // [m]
 
-bool has_place(const Pose2& X) { return std::isfinite(X.x) && std::isfinite(X.y); }
+bool has_position(const Pose2& X) { return std::isfinite(X.x) && std::isfinite(X.y); }
 
 std::string fault_in(const std::vector<Pose2>& path) {
   if (path.empty()) return "the path is empty";
   for (std::size_t i = 0; i < path.size(); ++i) {
-    if (!has_place(path[i])) return "pose " + std::to_string(i) + " of the path is not finite";
+    if (!has_position(path[i])) return "pose " + std::to_string(i) + " of the path is not finite";
   }
   if (!is_finite(path.back())) return "the last pose of the path has no orientation";
   return {};

@@ -10,7 +10,7 @@
 namespace bw::homotopy {
 namespace {
 
-// Length of the shortest way from each vertex to the goal; infinite where there is none.
+// Length of the shortest path from each vertex to the goal; infinite where there is none.
 std::vector<double> lengths_to_go(const Roadmap& map) {
   std::vector<double> to_go(map.vertices.size(), INFINITY);
   to_go.back() = 0.0;
@@ -20,7 +20,7 @@ std::vector<double> lengths_to_go(const Roadmap& map) {
   return to_go;
 }
 
-// A way to a vertex, and how it crosses the cut of each body.
+// A path to a vertex, and how it crosses the cut of each body.
 struct Partial {
   std::size_t vertex;
   std::size_t parent;
@@ -81,8 +81,8 @@ class DepthFirst {
 int search_best_first(const Roadmap& map, const std::vector<Body>& bodies, const Course& course,
                       int max_expansions, const VisitPath& visit) {
   const std::vector<double> to_go = lengths_to_go(map);
-  std::vector<RoutePoint> places;
-  for (const Vector2& v : map.vertices) places.push_back({v, course.earliest_time(v)});
+  std::vector<RoutePoint> points;
+  for (const Vector2& v : map.vertices) points.push_back({v, course.earliest_time(v)});
 
   std::vector<Partial> partials{{0, 0, 0.0, std::vector<int>(bodies.size(), 0)}};
   std::vector<std::vector<std::size_t>> expanded_at(map.vertices.size());  // one partial of each class
@@ -107,7 +107,7 @@ int search_best_first(const Roadmap& map, const std::vector<Body>& bodies, const
     for (const RoadmapEdge& e : map.edges[vertex]) {
       Partial next{e.to, current, partials[current].length + e.length, partials[current].crossings};
       for (std::size_t b = 0; b < bodies.size(); ++b) {
-        next.crossings[b] += cut_crossings(bodies[b], places[vertex], places[e.to]);
+        next.crossings[b] += cut_crossings(bodies[b], points[vertex], points[e.to]);
       }
       open.emplace(next.length + to_go[e.to], partials.size());
       partials.push_back(std::move(next));

@@ -17,7 +17,7 @@ using VisitPath = std::function<bool(const std::vector<Vector2>& points, double 
 int search_best_first(const Roadmap& map, const std::vector<Body>& bodies, const Course& course,
                       int max_expansions, const VisitPath& visit);
 
-/// All simple paths, depth first (theory.md 6.2), successors by the shortest way on; vertices without a way
+/// All simple paths, depth first (theory.md 6.2), successors by the shortest path on; vertices without a path
 /// to the goal are left out. Returns the vertices visited, at most max_expansions.
 int search_depth_first(const Roadmap& map, int max_expansions, const VisitPath& visit);
 

@@ -67,7 +67,7 @@ std::vector<Part> sorted_parts(const StaticObstacles& obstacles) {
 struct Cell {
   std::int64_t row, column;
   std::size_t first, last;  // into the list of points by cell
-  auto place() const { return std::make_tuple(row, column); }
+  auto index() const { return std::make_tuple(row, column); }
 };
 
 // Points of one cell are within the gap of each other by its size; only then neighbours up to two cells away
@@ -88,7 +88,7 @@ void join_points(const std::vector<Part>& parts, std::size_t count, double wides
   };
   std::vector<Cell> cells;
   for (std::size_t k = 0; k < count; ++k) {
-    if (!cells.empty() && cells.back().place() == std::make_tuple(placed[k][0], placed[k][1])) {
+    if (!cells.empty() && cells.back().index() == std::make_tuple(placed[k][0], placed[k][1])) {
       cells.back().last = k + 1;
       if (near(cells.back().first, k)) sets.join(point(cells.back().first), point(k));
     } else {
@@ -106,10 +106,10 @@ void join_points(const std::vector<Part>& parts, std::size_t count, double wides
   for (std::int64_t up = 0; up <= 2; ++up) {
     std::size_t from = 0;
     for (std::size_t c = 0; c < cells.size(); ++c) {
-      const auto [row, column] = cells[c].place();
-      while (from < cells.size() && cells[from].place() < std::make_tuple(row + up, column - 2)) ++from;
+      const auto [row, column] = cells[c].index();
+      while (from < cells.size() && cells[from].index() < std::make_tuple(row + up, column - 2)) ++from;
       for (std::size_t d = up == 0 ? c + 1 : from; d < cells.size(); ++d) {
-        if (cells[d].place() > std::make_tuple(row + up, column + 2)) break;
+        if (cells[d].index() > std::make_tuple(row + up, column + 2)) break;
         join_cells(cells[c], cells[d]);
       }
     }

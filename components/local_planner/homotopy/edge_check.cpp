@@ -18,12 +18,12 @@ constexpr std::size_t kManyParts = 32;   // of a body, from which on those near 
 constexpr double kPiece = 0.5;           // [m] of an edge for which they are
 constexpr double kMaxPieces = 1000.0;    // of an edge; those of a longer one are longer
 
-// The part of the way that lies within `aside` of the box along each axis; nothing where it has none.
-std::optional<Segment> within(const Segment& way, const Vector2& low, const Vector2& high, double aside) {
-  const Vector2 whole = way.b - way.a;
+// The part of the edge that lies within `aside` of the box along each axis; nothing where it has none.
+std::optional<Segment> within(const Segment& edge, const Vector2& low, const Vector2& high, double aside) {
+  const Vector2 whole = edge.b - edge.a;
   double first = 0.0, last = 1.0;
   for (Eigen::Index i = 0; i < 2; ++i) {
-    const double from = low[i] - aside - way.a[i], to = high[i] + aside - way.a[i];
+    const double from = low[i] - aside - edge.a[i], to = high[i] + aside - edge.a[i];
     if (whole[i] == 0.0) {
       if (from > 0.0 || to < 0.0) return std::nullopt;
       continue;
@@ -33,7 +33,7 @@ std::optional<Segment> within(const Segment& way, const Vector2& low, const Vect
     last = std::min(last, leaves);
   }
   if (first > last) return std::nullopt;
-  return Segment{way.a + first * whole, way.a + last * whole};
+  return Segment{edge.a + first * whole, edge.a + last * whole};
 }
 
 }  // namespace
@@ -84,12 +84,12 @@ double EdgeCheck::gap(const Watched& watched, const Vector2& from, const Vector2
   return smallest;
 }
 
-// The way in short pieces: around a long one there would be much that is not near it.
-double EdgeCheck::gap_to_many(const Watched& watched, const Segment& way, double wanted) const {
+// The edge in short pieces: around a long one there would be much that is not near it.
+double EdgeCheck::gap_to_many(const Watched& watched, const Segment& edge, double wanted) const {
   const CapsuleIndex& parts = watched.parts;
   double smallest = std::numeric_limits<double>::infinity();
   const double aside = std::max(0.0, course_.robot_radius + wanted) + kAreaRounding;
-  const std::optional<Segment> near = within(way, watched.box.low, watched.box.high, aside);
+  const std::optional<Segment> near = within(edge, watched.box.low, watched.box.high, aside);
   if (!near) return smallest;
   const Vector2 whole = near->b - near->a;
   const int pieces = static_cast<int>(std::clamp(std::ceil(whole.norm() / kPiece), 1.0, kMaxPieces));
@@ -98,7 +98,7 @@ double EdgeCheck::gap_to_many(const Watched& watched, const Segment& way, double
     parts.visit_near(near->a + whole * ((i + 0.5) / pieces), reach, [&](const CapsuleIndex::Group& group) {
       for (const std::uint32_t k : parts.members(group)) {
         const Capsule& part = parts.capsules()[k];
-        const double distance = std::sqrt(squared_distance(way, Segment{part.a, part.b}));
+        const double distance = std::sqrt(squared_distance(edge, Segment{part.a, part.b}));
         smallest = std::min(smallest, distance - part.radius - course_.robot_radius);
       }
     });

@@ -1,4 +1,4 @@
-// Whether the robot can drive straight from one place to another among bodies.
+// Whether the robot can drive straight from one position to another among bodies.
 #pragma once
 
 #include <vector>
@@ -30,7 +30,7 @@ class EdgeCheck {
     CapsuleIndex parts;  // of a body of many that stands
   };
   double gap(const Watched& watched, const Vector2& from, const Vector2& to, double wanted) const;
-  double gap_to_many(const Watched& watched, const Segment& way, double wanted) const;
+  double gap_to_many(const Watched& watched, const Segment& edge, double wanted) const;
 
   Course course_;
   double clearance_;

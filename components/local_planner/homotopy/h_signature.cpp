@@ -60,8 +60,8 @@ Complex h_signature(const Route& route, const std::vector<Body>& bodies, const C
       const Complex from = last - obstacles[l];
       const Complex to = next - obstacles[l];
       const double growth = std::log(std::max(std::abs(to), kSmallest) / std::max(std::abs(from), kSmallest));
-      const Complex turned = to * std::conj(from);
-      sum += weights[l] * Complex(growth, std::atan2(turned.imag() + 0.0, turned.real()));
+      const Complex rotation = to * std::conj(from);
+      sum += weights[l] * Complex(growth, std::atan2(rotation.imag() + 0.0, rotation.real()));
     }
     last = next;
   };

@@ -89,8 +89,8 @@ std::optional<Body> body_of(const Mover& mover, const Course& course, const Homo
         mover.predictions.empty() ? 1 : static_cast<int>(std::ceil(options.prediction_horizon / kBodyStep));
     for (int k = 0; k < steps; ++k) {
       const double step = options.prediction_horizon / steps;
-      const Segment way{mover.position_at(k * step), mover.position_at((k + 1) * step)};
-      body.parts.push_back({way, mover.radius});
+      const Segment path{mover.position_at(k * step), mover.position_at((k + 1) * step)};
+      body.parts.push_back({path, mover.radius});
     }
   } else {
     body.parts = {disc_at(mover.position)};
@@ -143,12 +143,12 @@ std::vector<Body> bodies_of(const StaticObstacles& obstacles, const std::vector<
     std::optional<Body> body = body_of(mover, course, options);
     if (body && matters(body->parts)) bodies.push_back(std::move(*body));
   }
-  const auto place = [&](const Body& body) {
+  const auto order_of = [&](const Body& body) {
     const Vector2 from_start = body.representative - course.start;
     return std::make_tuple(course.heading().dot(from_start), course.left().dot(from_start),
                            body.mover_id.has_value(), body.mover_id.value_or(0), body.parts.front().radius);
   };
-  const auto met_before = [&](const Body& l, const Body& r) { return place(l) < place(r); };
+  const auto met_before = [&](const Body& l, const Body& r) { return order_of(l) < order_of(r); };
   std::sort(bodies.begin(), bodies.end(), met_before);
   keep_nearest(bodies, course, static_cast<std::size_t>(options.max_bodies));
   std::sort(bodies.begin(), bodies.end(), met_before);

@@ -66,7 +66,7 @@ void add_edges(Roadmap& map, const Course& course, const EdgeCheck& check, doubl
   }
 }
 
-// Start and goal around the given vertices, in the order of the way along the course, and the edges.
+// Start and goal around the given vertices, in the order of the path along the course, and the edges.
 Roadmap joined(const Course& course, std::vector<Vector2> between, const EdgeCheck& check,
                double heading_threshold) {
   const Vector2 heading = course.heading();
@@ -97,15 +97,15 @@ Roadmap keypoint_roadmap(const Course& course, const std::vector<Body>& bodies,
       const Side side = side_of(body, course.start, heading, outward, 0.5 * nearest);
       const bool is_long = side.last - side.first > 2.0 * nearest;
       const double middle = 0.5 * (side.first + side.last);
-      const std::array<double, 2> places{is_long ? side.first : middle, side.last};
+      const std::array<double, 2> along{is_long ? side.first : middle, side.last};
       for (std::size_t k = 0; k < (is_long ? 2u : 1u); ++k) {
-        if (places[k] <= 0.0 || places[k] >= course.length()) continue;
-        const Vector2 beside_line{places[k], side.reach};
-        if (places[k] < kVertexHeading * beside_line.norm()) continue;
+        if (along[k] <= 0.0 || along[k] >= course.length()) continue;
+        const Vector2 beside_line{along[k], side.reach};
+        if (along[k] < kVertexHeading * beside_line.norm()) continue;
         for (const double share : kOffsetShares) {
           const double beside = body.parts.front().radius + nearest + share * (wanted - nearest);
           const double out = side.reach - body.parts.front().radius + factor * beside;
-          const Vector2 p = course.start + places[k] * heading + out * outward;
+          const Vector2 p = course.start + along[k] * heading + out * outward;
           if (!check.clear(p, p)) continue;
           keypoints.push_back(p);
           break;

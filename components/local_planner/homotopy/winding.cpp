@@ -15,16 +15,16 @@ constexpr double kSettlingTime = 5.0;    // ... and [s] on top
 // Bearing in (-pi, pi]; the sum turns a negative zero into a positive one.
 double bearing(const Vector2& v) { return std::atan2(v.y() + 0.0, v.x()); }
 
-// How the straight way u-v crosses the negative x axis, where bearings jump: 1 counter-clockwise, -1
+// How the straight path u-v crosses the negative x axis, where bearings jump: 1 counter-clockwise, -1
 // clockwise. Through the origin counts as half a turn counter-clockwise.
 int cut_crossing(const Vector2& u, const Vector2& v) {
-  const double turn = cross(u, v);
-  if (turn == 0.0 && u.dot(v) < 0.0) return u.y() > 0.0 || (u.y() == 0.0 && u.x() < 0.0) ? 1 : 0;
+  const double orientation = cross(u, v);
+  if (orientation == 0.0 && u.dot(v) < 0.0) return u.y() > 0.0 || (u.y() == 0.0 && u.x() < 0.0) ? 1 : 0;
   const bool from_above = u.y() >= 0.0;
   const bool to_above = v.y() >= 0.0;
   if (from_above == to_above) return 0;
-  if (from_above) return turn > 0.0 ? 1 : 0;
-  return turn < 0.0 ? -1 : 0;
+  if (from_above) return orientation > 0.0 ? 1 : 0;
+  return orientation < 0.0 ? -1 : 0;
 }
 
 Vector2 seen_from(const Body& body, const RoutePoint& p) { return p.position - body.position_at(p.time); }
@@ -82,17 +82,17 @@ std::vector<double> winding(const Route& route, const std::vector<Body>& bodies,
   return angles;
 }
 
-std::vector<int> turns_between(const std::vector<double>& w, const std::vector<double>& v) {
-  std::vector<int> turns;
+std::vector<int> windings_between(const std::vector<double>& w, const std::vector<double>& v) {
+  std::vector<int> differences;
   for (std::size_t i = 0; i < std::min(w.size(), v.size()); ++i) {
-    turns.push_back(static_cast<int>(std::lround((w[i] - v[i]) / (2.0 * std::numbers::pi))));
+    differences.push_back(static_cast<int>(std::lround((w[i] - v[i]) / (2.0 * std::numbers::pi))));
   }
-  return turns;
+  return differences;
 }
 
 bool same_winding(const std::vector<double>& w, const std::vector<double>& v) {
-  const std::vector<int> turns = turns_between(w, v);
-  return std::all_of(turns.begin(), turns.end(), [](int t) { return t == 0; });
+  const std::vector<int> differences = windings_between(w, v);
+  return std::all_of(differences.begin(), differences.end(), [](int t) { return t == 0; });
 }
 
 std::vector<std::string> class_labels(const std::vector<std::vector<double>>& windings) {

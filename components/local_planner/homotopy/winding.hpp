@@ -9,7 +9,7 @@
 
 namespace bw::homotopy {
 
-/// A place of the robot and when it is there, from now.
+/// A position of the robot and when it is there, from now.
 struct RoutePoint {
   Vector2 position{0.0, 0.0};
   double time = 0.0;
@@ -20,8 +20,8 @@ using Route = std::vector<RoutePoint>;
 /// `points` driven at `speed` [m/s], above zero.
 Route route_at_speed(const std::vector<Vector2>& points, double speed);
 
-/// How often the straight way crosses the cut west of the body (its negative x axis), counter-clockwise
-/// positive. Summed along two routes with the same ends, it differs by the turns between them: winding
+/// How often the straight path crosses the cut west of the body (its negative x axis), counter-clockwise
+/// positive. Summed along two routes with the same ends, it differs by the windings between them: winding
 /// without trigonometry.
 int cut_crossings(const Body& body, const RoutePoint& from, const RoutePoint& to);
 
@@ -32,10 +32,11 @@ int cut_crossings(const Body& body, const RoutePoint& from, const RoutePoint& to
 /// common to all routes. Exactly through a body counts as right of it.
 std::vector<double> winding(const Route& route, const std::vector<Body>& bodies, const Course& course);
 
-/// round((w - v) / 2 pi) of each body: how many turns w makes more than v. Both of one course and its bodies.
-std::vector<int> turns_between(const std::vector<double>& w, const std::vector<double>& v);
+/// round((w - v) / 2 pi) of each body: how many windings w makes more than v. Both of one course and its
+/// bodies.
+std::vector<int> windings_between(const std::vector<double>& w, const std::vector<double>& v);
 
-/// No turn between them around any body.
+/// No winding between them around any body.
 bool same_winding(const std::vector<double>& w, const std::vector<double>& v);
 
 /// Names for people of different classes: the side (L, R) on which each passes the bodies about which they

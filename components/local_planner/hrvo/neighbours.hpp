@@ -24,7 +24,7 @@ std::vector<Neighbour> moving_neighbours(const PlanningProblem& problem, const H
 
 /// The nearest max_neighbours static obstacles within range and view, nearest first (by gap).
 ///
-/// Beyond what was published (theory.md 5.3): what the robot cannot meet on a way as long as the one to
+/// Beyond what was published (theory.md 5.3): what the robot cannot meet on a path as long as the one to
 /// `goal` does not count, neither whole obstacles nor the far parts of a wall (else no velocity towards a
 /// wall is ever free); the margin is at most the room there is for the robot now and at the end of a final
 /// plan, so that a goal near a wall can be reached and left.

@@ -45,9 +45,9 @@ void Controls::reset(Eigen::Index steps) {
 
 Twist2 Controls::at(double steps) const {
   const double first = -static_cast<double>(kHalfWindow);
-  const double place = std::clamp(steps, first, static_cast<double>(v.size() - 1));
-  const auto below = static_cast<Eigen::Index>(std::floor(place));
-  const double share = place - static_cast<double>(below);
+  const double index = std::clamp(steps, first, static_cast<double>(v.size() - 1));
+  const auto below = static_cast<Eigen::Index>(std::floor(index));
+  const double share = index - static_cast<double>(below);
   const auto element = [&](Eigen::Index k) {
     if (k < 0) return before_[static_cast<std::size_t>(k + kHalfWindow)];
     k = std::min(k, v.size() - 1);

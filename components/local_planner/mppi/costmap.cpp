@@ -41,16 +41,16 @@ class Distances {
   }
 
   void add_segment(const Segment& s) {
-    const Vector2 way = s.b - s.a;
-    const double square = way.squaredNorm();
+    const Vector2 axis = s.b - s.a;
+    const double square = axis.squaredNorm();
     if (square < 1e-18) return add_point(s.a);
     rows_of(s.a.cwiseMin(s.b), s.a.cwiseMax(s.b), 0.0,
             [&](Eigen::Index row, Eigen::Index first, Eigen::Index count) {
               const double dy = middles_[row] - s.a.y();
               const auto dx = middles_.segment(first, count) - s.a.x();
-              const Eigen::ArrayXd share = ((dx * way.x() + dy * way.y()) / square).max(0.0).min(1.0);
+              const Eigen::ArrayXd share = ((dx * axis.x() + dy * axis.y()) / square).max(0.0).min(1.0);
               auto cells = of_points_.col(row).segment(first, count);
-              cells = cells.min((dx - share * way.x()).square() + (dy - share * way.y()).square());
+              cells = cells.min((dx - share * axis.x()).square() + (dy - share * axis.y()).square());
             });
   }
 
@@ -61,9 +61,9 @@ class Distances {
   template <class Visit>
   void rows_of(const Vector2& low, const Vector2& high, double radius, Visit&& visit) const {
     const double aside = radius + enough_;
-    const auto cell = [&](double place) {
+    const auto cell = [&](double coordinate) {
       const double limit = static_cast<double>(aside_) + 1.0;
-      return aside_ + static_cast<Eigen::Index>(std::clamp(place / resolution_, -limit, limit));
+      return aside_ + static_cast<Eigen::Index>(std::clamp(coordinate / resolution_, -limit, limit));
     };
     // A cell more on either side, for what the conversion cuts off.
     const Eigen::Index last = 2 * aside_;

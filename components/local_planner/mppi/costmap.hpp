@@ -1,4 +1,4 @@
-// What it costs to be at a place: the inflated costmap that Nav2's critic looks into, made anew from the
+// What it costs to be at a position: the inflated costmap that Nav2's critic looks into, made anew from the
 // shapes of a problem in each cycle.
 #pragma once
 
@@ -28,7 +28,7 @@ class Costmap {
   /// Cells are larger than asked for where there were more than 241 x 241 of them.
   Costmap(const PlanningProblem& problem, const InflationOptions& options, double reach, bool movers);
 
-  /// Of the cell of a place in base_link; 0 outside.
+  /// Of the cell of a position in base_link; 0 outside.
   double at(double x, double y) const {
     const double column = x * per_metre_ + middle_, row = y * per_metre_ + middle_;
     const bool inside = column >= 0.0 && row >= 0.0 && column < side_ && row < side_;
@@ -51,7 +51,7 @@ class PredictedCosts {
                  double horizon);
 
   bool empty() const { return movers_.empty(); }
-  /// For places in base_link at `time` [s] from now: `costs` becomes the larger of what it was and what
+  /// For positions in base_link at `time` [s] from now: `costs` becomes the larger of what it was and what
   /// movers cost there.
   void raise(Eigen::Ref<const Eigen::ArrayXd> x, Eigen::Ref<const Eigen::ArrayXd> y, double time,
              Eigen::ArrayXd& costs) const;

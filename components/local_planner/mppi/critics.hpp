@@ -24,7 +24,7 @@ struct CriticScene {
   Eigen::Index furthest = 0;  ///< furthest_reached() of the motions
 };
 
-/// weight times the way [m] driven faster than the limits.
+/// weight times the distance [m] driven faster than the limits.
 void add_constraint_cost(const ConstraintOptions& options, const CriticScene& scene, const Rollouts& motions,
                          Eigen::ArrayXd& costs);
 
@@ -56,7 +56,7 @@ void add_path_follow_cost(const PathFollowOptions& options, const CriticScene& s
 void add_path_angle_cost(const PathAngleOptions& options, const CriticScene& scene, const Rollouts& motions,
                          Eigen::ArrayXd& costs);
 
-/// weight times the way driven back [m].
+/// weight times the distance driven back [m].
 void add_prefer_forward_cost(const PreferForwardOptions& options, const CriticScene& scene,
                              const Rollouts& motions, Eigen::ArrayXd& costs);
 

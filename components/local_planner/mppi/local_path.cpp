@@ -13,21 +13,21 @@ constexpr double kSpacing = 0.05;  // [m]
 constexpr double kMaxPoints = 400;
 constexpr double kRounding = 1e-9;  // [m]
 
-struct PlaceOnPlan {
+struct PointOnPlan {
   std::size_t leg = 0;  ///< it lies before pose `leg` + 1
   Vector2 point;
 };
 
-PlaceOnPlan nearest_place(const std::vector<Pose2>& plan, const Vector2& robot) {
-  PlaceOnPlan place{plan.size() - 1, plan.back().position()};
+PointOnPlan nearest_on_plan(const std::vector<Pose2>& plan, const Vector2& robot) {
+  PointOnPlan nearest{plan.size() - 1, plan.back().position()};
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 1 < plan.size(); ++i) {
     const Vector2 p = nearest_point(Segment{plan[i].position(), plan[i + 1].position()}, robot);
     if ((robot - p).norm() >= smallest) continue;
     smallest = (robot - p).norm();
-    place = {i, p};
+    nearest = {i, p};
   }
-  return place;
+  return nearest;
 }
 
 }  // namespace
@@ -37,23 +37,23 @@ LocalPath local_path(const std::vector<Pose2>& plan, const Pose2& robot, double 
   LocalPath path;
   path.spacing = std::max(kSpacing, length / kMaxPoints);
   const auto most = static_cast<std::size_t>(std::lround(length / path.spacing)) + 1;
-  PlaceOnPlan place = nearest_place(plan, robot.position());
-  std::vector<Vector2> points{place.point};
+  PointOnPlan nearest = nearest_on_plan(plan, robot.position());
+  std::vector<Vector2> points{nearest.point};
   double to_next = path.spacing;
-  for (std::size_t i = place.leg + 1; i < plan.size() && points.size() < most; ++i) {
+  for (std::size_t i = nearest.leg + 1; i < plan.size() && points.size() < most; ++i) {
     const Vector2 end = plan[i].position();
-    double leg = (end - place.point).norm();
+    double leg = (end - nearest.point).norm();
     while (leg >= to_next - kRounding && points.size() < most) {
-      place.point += (to_next / leg) * (end - place.point);
-      points.push_back(place.point);
+      nearest.point += (to_next / leg) * (end - nearest.point);
+      points.push_back(nearest.point);
       leg = std::max(0.0, leg - to_next);
       to_next = path.spacing;
     }
     to_next -= leg;
-    place.point = end;
+    nearest.point = end;
   }
   const bool at_a_point = to_next > path.spacing - kRounding;
-  if (points.size() < most && !at_a_point) points.push_back(place.point);
+  if (points.size() < most && !at_a_point) points.push_back(nearest.point);
 
   const Pose2 X_BO = inverse(robot);
   const auto count = static_cast<Eigen::Index>(points.size());

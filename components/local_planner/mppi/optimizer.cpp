@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPruned = 1.7;  // [m] of plan that is looked at, as shipped
 constexpr double kBeyond =
-    0.3;  // [m] of plan beyond the way of a motion at top speed: 1.7 - 2.8 s 0.5 m/s of Nav2's file
+    0.3;  // [m] of plan beyond the travel of a motion at top speed: 1.7 - 2.8 s 0.5 m/s of Nav2's file
 constexpr double kMapMargin = 0.5;      // [m] of costmap beyond that of the fastest samples
 constexpr std::int64_t kMaxRounds = 4;  // that a long control period brings
 constexpr double kFastSamples = 2.0;    // standard deviations

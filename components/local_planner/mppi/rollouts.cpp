@@ -5,20 +5,20 @@
 namespace bw::mppi {
 namespace {
 
-constexpr double kSmallTurn = 0.5;  // [rad] up to which the series below are exact to 1e-14
+constexpr double kSmallRotation = 0.5;  // [rad] up to which the series below are exact to 1e-14
 
-// sin(t) / t and (1 - cos(t)) / t: displacements along and across of an arc of length 1 that turns by t.
+// sin(t) / t and (1 - cos(t)) / t: displacements along and across of an arc of length 1 that rotates by t.
 struct Arcs {
   Eigen::ArrayXd along, across, square;
 
-  void of(const Eigen::ArrayXd& turn) {
-    if (turn.abs().maxCoeff() > kSmallTurn) return of_any(turn);
-    square = turn.square();
+  void of(const Eigen::ArrayXd& rotation) {
+    if (rotation.abs().maxCoeff() > kSmallRotation) return of_any(rotation);
+    square = rotation.square();
     // Reciprocals: a division takes as long as ten products.
     along =
         1.0 - square * k6 *
                   (1.0 - square * k20 * (1.0 - square * k42 * (1.0 - square * k72 * (1.0 - square * k110))));
-    across = 0.5 * turn *
+    across = 0.5 * rotation *
              (1.0 -
               square * k12 *
                   (1.0 - square * k30 * (1.0 - square * k56 * (1.0 - square * k90 * (1.0 - square * k132)))));
@@ -30,14 +30,14 @@ struct Arcs {
   static constexpr double k12 = 1.0 / 12.0, k30 = 1.0 / 30.0, k56 = 1.0 / 56.0, k90 = 1.0 / 90.0,
                           k132 = 1.0 / 132.0;
 
-  void of_any(const Eigen::ArrayXd& turn) {
-    along.resize(turn.size());
-    across.resize(turn.size());
-    for (Eigen::Index i = 0; i < turn.size(); ++i) {
-      const double t = turn[i];
+  void of_any(const Eigen::ArrayXd& rotation) {
+    along.resize(rotation.size());
+    across.resize(rotation.size());
+    for (Eigen::Index i = 0; i < rotation.size(); ++i) {
+      const double t = rotation[i];
       const bool none = std::abs(t) < 1e-6;
       along[i] = none ? 1.0 - t * t / 6.0 : std::sin(t) / t;
-      // Not 1 - cos, which has no digits left of a small turn.
+      // Not 1 - cos, which has no digits left of a small rotation.
       across[i] = none ? t / 2.0 : 2.0 * std::sin(t / 2.0) * std::sin(t / 2.0) / t;
     }
   }
@@ -69,18 +69,18 @@ void roll_out(Rollouts& rollouts, const Twist2& now, const Limits& limits, doubl
   const Eigen::Index samples = rollouts.samples();
   Eigen::ArrayXd x = Eigen::ArrayXd::Zero(samples), y = x, theta = x;
   Eigen::ArrayXd cosine = Eigen::ArrayXd::Ones(samples), sine = x;  // of the heading
-  Eigen::ArrayXd turn(samples), way(samples), next(samples);
+  Eigen::ArrayXd rotation(samples), distance(samples), next(samples);
   Arcs arcs;
   for (Eigen::Index k = 0; k < rollouts.steps(); ++k) {
-    turn = dt * rollouts.omega.col(k);
-    way = dt * rollouts.v.col(k);
-    arcs.of(turn);
-    x += way * (arcs.along * cosine - arcs.across * sine);
-    y += way * (arcs.along * sine + arcs.across * cosine);
-    theta += turn;
+    rotation = dt * rollouts.omega.col(k);
+    distance = dt * rollouts.v.col(k);
+    arcs.of(rotation);
+    x += distance * (arcs.along * cosine - arcs.across * sine);
+    y += distance * (arcs.along * sine + arcs.across * cosine);
+    theta += rotation;
     // cos(t) = 1 - t across, sin(t) = t along.
-    next = cosine - turn * (arcs.across * cosine + arcs.along * sine);
-    sine += turn * (arcs.along * cosine - arcs.across * sine);
+    next = cosine - rotation * (arcs.across * cosine + arcs.along * sine);
+    sine += rotation * (arcs.along * cosine - arcs.across * sine);
     cosine = next;
     rollouts.x.col(k) = x;
     rollouts.y.col(k) = y;

@@ -7,7 +7,7 @@
 namespace bw::mppi {
 namespace {
 
-constexpr double kOnNeither = 1e-6;  // far above what rounding does to a place
+constexpr double kOnNeither = 1e-6;  // far above what rounding does to a position
 
 }  // namespace
 

@@ -10,7 +10,7 @@
 namespace bw::mppi {
 
 /// The ziggurat of Marsaglia and Tsang 2000 in the form of Doornik 2005: 256 layers of equal area under the
-/// bell, of which one draw of 64 bits chooses the layer and the place within; one draw in a hundred needs
+/// bell, of which one draw of 64 bits chooses the layer and the position within; one draw in a hundred needs
 /// more.
 class StandardNormal {
  public:

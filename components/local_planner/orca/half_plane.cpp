@@ -61,7 +61,7 @@ HalfPlane clear_of(const Segment& wall, double radius, const Vector2& own, doubl
   if (nearest.squaredNorm() <= radius * radius)
     return beyond({0.0, 0.0}, unit_or(-nearest, unit_or(-own, {-1.0, 0.0})));
   // The velocities that touch it are a convex set, all of one side of each of its tangents. Of these the one
-  // that `own` is furthest outside of, or least inside: the tangent at the nearest place of the border.
+  // that `own` is furthest outside of, or least inside: the tangent at the nearest point of the border.
   const Legs at_a = tangents(wall.a, radius);
   const Legs at_b = tangents(wall.b, radius);
   const Vector2 right = cross(at_a.right, at_b.right) < 0.0 ? at_b.right : at_a.right;

@@ -62,7 +62,7 @@ Progress within_all(HalfPlanes half_planes, double v_max, const Aim& aim) {
 }
 
 // Where `other` is violated no more than `line`: `line` is the one with the greatest violation there. Nothing
-// when both are the same but for their place.
+// when both are the same but for their position.
 std::optional<HalfPlane> no_worse_than(const HalfPlane& line, const HalfPlane& other) {
   const double sine = cross(line.direction, other.direction);
   HalfPlane border;
@@ -90,7 +90,7 @@ Vector2 least_violation(HalfPlanes half_planes, std::size_t walls, const Progres
       if (const std::optional<HalfPlane> border = no_worse_than(line, other)) borders.push_back(*border);
     }
     const Vector2 inward{-line.direction.y(), line.direction.x()};
-    // It fails by rounding alone: where the velocity is now is such a place.
+    // It fails by rounding alone: where the velocity is now is such a position.
     const Progress found = within_all(borders, v_max, {inward, true});
     if (found.failed_at == borders.size()) velocity = found.velocity;
     greatest = violation(line, velocity);

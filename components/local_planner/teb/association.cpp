@@ -49,14 +49,14 @@ Capsule mover_at(const Mover& mover, double time) {
 // Where the robot drives from a pose to the next one, and when.
 struct Step {
   Pose2 from;
-  Vector2 way;
-  double turn;
+  Vector2 offset;
+  double rotation;
   double time;  // [s] from now
   double duration;
 
   Pose2 at(double share) const {
-    const Vector2 p = from.position() + share * way;
-    return {p.x(), p.y(), from.theta + share * turn};
+    const Vector2 p = from.position() + share * offset;
+    return {p.x(), p.y(), from.theta + share * rotation};
   }
 };
 
@@ -111,7 +111,7 @@ class Association {
       left_out_ = 0;
       for (const MovingObstacle& m : movers_) add_mover(*m.mover, step, k == 0);
       if (k > 0) add_statics(step, 0.0, at_pose_);
-      const int samples = samples_of(step.way.norm());
+      const int samples = samples_of(step.offset.norm());
       for (int i = 1; i <= samples; ++i) add_statics(step, share_of(i, samples), along_);
       left_out_ += keep_nearest(at_pose_, most_, result[k].at_pose);
       left_out_ += keep_nearest(along_, most_, result[k].along_segment);
@@ -130,17 +130,17 @@ class Association {
   }
   static double share_of(int i, int samples) { return static_cast<double>(i) / (samples + 1); }
 
-  // Those obstacles that any pose of [first, first + kStretch] or the way between can be in reach of.
+  // Those obstacles that any pose of [first, first + kStretch] or the path between can be in reach of.
   void look_around(std::size_t first, double time) {
     const std::size_t last = std::min(first + kStretch, band_.size() - 1);
     const Stretch stretch = stretch_of(band_, first, last);
-    const Segment way{band_.poses[first].position(), band_.poses[last].position()};
+    const Segment chord{band_.poses[first].position(), band_.poses[last].position()};
     double aside = 0.0;
     for (std::size_t k = first; k <= last; ++k) {
       const Vector2 p = band_.poses[k].position();
-      aside = std::max(aside, (p - nearest_point(way, p)).norm());
+      aside = std::max(aside, (p - nearest_point(chord, p)).norm());
     }
-    statics_.look_along(way, aside);
+    statics_.look_along(chord, aside);
     select_movers(candidates_, stretch, time, movers_);
   }
 
@@ -166,7 +166,7 @@ class Association {
     const Vector2 p = step.from.position();
     const Capsule now = mover_at(mover, step.time);
     const Vector2 drift = mover.position_at(step.time + step.duration) - now.a;
-    const double motion = (step.way - drift).norm();
+    const double motion = (step.offset - drift).norm();
     if ((p - now.a).norm() - (now.radius + field_.footprint.radius) > reach + motion) return;
     if (!is_start) add_in_reach(mover, now, step, 0.0, reach, at_pose_);
     const int samples = samples_of(motion);

@@ -9,7 +9,7 @@ namespace bw::teb {
 namespace {
 
 constexpr double kShortestInterval = 0.02;  // [s] of a band just made; well above the guard of the solver
-constexpr double kShortestWay = 0.05;       // [m] that has a direction
+constexpr double kShortestDistance = 0.05;  // [m] that has a direction
 constexpr double kMeanInterval = 0.965;     // of dt_ref: what resampling aims at
 constexpr double kMeanIntervalDrift =
     0.015;  // of dt_ref: keeps bands comparable, as their time cost grows with it
@@ -64,15 +64,15 @@ bool Band::is_finite() const {
 }
 
 Pose2 interpolate(const Pose2& a, const Pose2& b, double s) {
-  const double turn = wrap_angle(b.theta - a.theta);
+  const double rotation = wrap_angle(b.theta - a.theta);
   const Vector2 chord = b.position() - a.position();
-  const double theta = wrap_angle(a.theta + s * turn);
+  const double theta = wrap_angle(a.theta + s * rotation);
   constexpr double kLargestArc = 1.0;  // [rad]; beyond it the poses are a first guess, not an arc
-  if (std::abs(turn) < 1e-6 || std::abs(turn) > kLargestArc) {
+  if (std::abs(rotation) < 1e-6 || std::abs(rotation) > kLargestArc) {
     return {a.x + s * chord.x(), a.y + s * chord.y(), theta};
   }
-  const double ratio = std::sin(s * turn / 2.0) / std::sin(turn / 2.0);
-  const double bend = -(1.0 - s) * turn / 2.0;
+  const double ratio = std::sin(s * rotation / 2.0) / std::sin(rotation / 2.0);
+  const double bend = -(1.0 - s) * rotation / 2.0;
   const double c = ratio * std::cos(bend);
   const double n = ratio * std::sin(bend);
   return {a.x + c * chord.x() - n * chord.y(), a.y + n * chord.x() + c * chord.y(), theta};
@@ -80,7 +80,7 @@ Pose2 interpolate(const Pose2& a, const Pose2& b, double s) {
 
 namespace {
 
-// Headings along the way (`heading_offset` 0) or against it (pi), at `speed`.
+// Headings along the path (`heading_offset` 0) or against it (pi), at `speed`.
 Band band_with_headings(const std::vector<Pose2>& path, const Pose2& start, const Limits& limits,
                         const BandOptions& options, double speed, double heading_offset) {
   const std::vector<Vector2> route = route_from(start.position(), path);
@@ -125,24 +125,25 @@ Band band_along(const std::vector<Pose2>& path, const Pose2& start, const Limits
   return band_with_headings(path, start, limits, options, limits.v_max, 0.0);
 }
 
-std::optional<Band> band_turning_first(const std::vector<Pose2>& path, const Pose2& start,
-                                       const Limits& limits, const BandOptions& options, double least_turn) {
+std::optional<Band> band_rotating_first(const std::vector<Pose2>& path, const Pose2& start,
+                                        const Limits& limits, const BandOptions& options,
+                                        double least_rotation) {
   const std::vector<Vector2> route = route_from(start.position(), path);
   const auto away = std::find_if(route.begin(), route.end(), [&](const Vector2& p) {
-    return (p - start.position()).norm() > kShortestWay;
+    return (p - start.position()).norm() > kShortestDistance;
   });
   if (away == route.end()) return std::nullopt;
-  const Vector2 way = *away - start.position();
-  const double heading = std::atan2(way.y(), way.x());
-  const double turn = wrap_angle(heading - start.theta);
-  if (std::abs(turn) < least_turn) return std::nullopt;
-  const double duration = std::abs(turn) / limits.omega_max;
+  const Vector2 to_path = *away - start.position();
+  const double heading = std::atan2(to_path.y(), to_path.x());
+  const double rotation = wrap_angle(heading - start.theta);
+  if (std::abs(rotation) < least_rotation) return std::nullopt;
+  const double duration = std::abs(rotation) / limits.omega_max;
   const int steps = static_cast<int>(
       std::clamp(std::ceil(duration / options.dt_ref), 1.0, static_cast<double>(options.max_samples)));
   Band band;
   for (int i = 0; i < steps; ++i) {
     band.poses.push_back(
-        make({start.x, start.y, wrap_angle(start.theta + turn * i / steps)}, duration / steps));
+        make({start.x, start.y, wrap_angle(start.theta + rotation * i / steps)}, duration / steps));
   }
   const Band drive = band_along(path, {start.x, start.y, heading}, limits, options);
   band.poses.insert(band.poses.end(), drive.poses.begin(), drive.poses.end());
@@ -197,12 +198,13 @@ double advance(Band& band, const Pose2& start, double horizon, const BandOptions
   for (std::size_t i = 0; i + 1 < band.size() && begin <= horizon; begin += band.poses[i++].dt) {
     const BandPose& a = band.poses[i];
     const Vector2 d = band.poses[i + 1].position() - a.position();
-    const double turn = kHeadingLength * wrap_angle(band.poses[i + 1].theta - a.theta);
+    const double rotation = kHeadingLength * wrap_angle(band.poses[i + 1].theta - a.theta);
     const Vector2 offset = start.position() - a.position();
-    const double offset_turn = kHeadingLength * wrap_angle(start.theta - a.theta);
+    const double offset_rotation = kHeadingLength * wrap_angle(start.theta - a.theta);
     const double s = std::clamp(
-        (offset.dot(d) + offset_turn * turn) / std::max(d.squaredNorm() + turn * turn, 1e-12), 0.0, 1.0);
-    const double distance = std::hypot((offset - s * d).norm(), offset_turn - s * turn);
+        (offset.dot(d) + offset_rotation * rotation) / std::max(d.squaredNorm() + rotation * rotation, 1e-12),
+        0.0, 1.0);
+    const double distance = std::hypot((offset - s * d).norm(), offset_rotation - s * rotation);
     if (distance < nearest - 1e-9) {
       nearest = distance;
       segment = i;

@@ -36,8 +36,8 @@ struct Band {
 /// Point at fraction s in [0, 1] of the arc from a to b (of the line, if they do not lie on one arc).
 Pose2 interpolate(const Pose2& a, const Pose2& b, double s);
 
-/// Where a clearance term looks at the robot: at share `fraction` of the way from `a` to `b`, states (x, y,
-/// theta, ...), place and heading taken apart.
+/// Where a clearance term looks at the robot: at share `fraction` of the path from `a` to `b`, states (x, y,
+/// theta, ...), position and heading taken apart.
 inline Pose2 between(const double* a, const double* b, double fraction) {
   const double rest = 1.0 - fraction;
   return {rest * a[0] + fraction * b[0], rest * a[1] + fraction * b[1],
@@ -49,10 +49,11 @@ inline Pose2 between(const double* a, const double* b, double fraction) {
 Band band_along(const std::vector<Pose2>& path, const Pose2& start, const Limits& limits,
                 const BandOptions& options);
 
-/// The same, but first turning on the spot towards where the path leads; nothing when that is less than
-/// `least_turn` [rad] away.
-std::optional<Band> band_turning_first(const std::vector<Pose2>& path, const Pose2& start,
-                                       const Limits& limits, const BandOptions& options, double least_turn);
+/// The same, but first rotating in place towards where the path leads; nothing when that is less than
+/// `least_rotation` [rad] away.
+std::optional<Band> band_rotating_first(const std::vector<Pose2>& path, const Pose2& start,
+                                        const Limits& limits, const BandOptions& options,
+                                        double least_rotation);
 
 /// The same, driven backward; nothing unless the goal lies behind the robot and the base drives backward.
 std::optional<Band> band_backward(const std::vector<Pose2>& path, const Pose2& start, const Limits& limits,

@@ -14,14 +14,14 @@ namespace bw::teb {
 namespace {
 
 constexpr double kAdvanceSlack =
-    0.5;  // [s] around the expected place on the band in which the robot is searched
+    0.5;  // [s] around the expected position on the band in which the robot is searched
 constexpr double kOldestBand = 1.0;    // [s] without a call after which a band says nothing about the scene
 constexpr double kDetourSlack = 1.0;   // [s] that any band may take longer than the unhindered drive
 constexpr double kDetourFactor = 1.3;  // and this many times longer; else it is compared with a new one
 constexpr double kNewGoalDistance = 1.0;  // [m] by which a goal that moves further starts a new band
-constexpr double kNewGoalTurn = 0.8;      // [rad] by which its heading, likewise
+constexpr double kNewGoalRotation = 0.8;  // [rad] by which its heading, likewise
 constexpr double kLostDistance = 0.5;     // [m] from its band at which the robot starts a new one
-constexpr double kLeastTurn = 0.8;        // [rad] from which turning on the spot is tried for a first plan
+constexpr double kLeastRotation = 0.8;    // [rad] from which rotating in place is tried for a first plan
 
 int budget_of(const PlanningProblem& problem) { return std::max(problem.budget.max_iterations, 1); }
 
@@ -125,7 +125,7 @@ std::vector<BandCandidate> BandPlanner::kept_candidates(const PlanningProblem& p
   std::vector<BandCandidate> candidates;
   if (elapsed < 0.0 || elapsed > kOldestBand ||
       (goal.position() - goal_.position()).norm() > kNewGoalDistance ||
-      std::abs(wrap_angle(goal.theta - goal_.theta)) > kNewGoalTurn) {
+      std::abs(wrap_angle(goal.theta - goal_.theta)) > kNewGoalRotation) {
     return candidates;
   }
   for (BandCandidate& last : bands_) {
@@ -148,7 +148,7 @@ std::vector<BandCandidate> BandPlanner::kept_candidates(const PlanningProblem& p
 std::vector<BandCandidate> BandPlanner::other_starts(const PlanningProblem& problem) const {
   const TebOptions& teb = options_.teb;
   std::vector<BandCandidate> starts;
-  if (auto band = band_turning_first(problem.plan, problem.pose, problem.limits, teb.band, kLeastTurn))
+  if (auto band = band_rotating_first(problem.plan, problem.pose, problem.limits, teb.band, kLeastRotation))
     starts.push_back({.band = std::move(*band), .label = "turn first"});
   if (!teb.allow_init_with_backwards_motion) return starts;
   if (auto band = band_backward(problem.plan, problem.pose, problem.limits, teb.band))

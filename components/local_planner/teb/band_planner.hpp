@@ -45,7 +45,7 @@ class BandPlanner final : public CheckedPlanner {
 
   /// The bands of the last cycle from where the robot is now.
   std::vector<BandCandidate> kept_candidates(const PlanningProblem& problem);
-  /// For a first plan: turning on the spot before driving, driving backward where that is allowed.
+  /// For a first plan: rotating in place before driving, driving backward where that is allowed.
   std::vector<BandCandidate> other_starts(const PlanningProblem& problem) const;
   void add_new_bands(Cycle& cycle) const;
   void improve_bands(Cycle& cycle) const;

@@ -12,8 +12,8 @@ Twist2 blend(const Twist2& a, const Twist2& b, double s) {
 Twist2 segment_velocity(const Band& band, std::size_t i) {
   const BandPose& a = band.poses[i];
   const BandPose& b = band.poses[i + 1];
-  const double turn = wrap_angle(b.theta - a.theta);
-  return {(b.position() - a.position()).dot(direction(a.theta + turn / 2.0)) / a.dt, turn / a.dt};
+  const double rotation = wrap_angle(b.theta - a.theta);
+  return {(b.position() - a.position()).dot(direction(a.theta + rotation / 2.0)) / a.dt, rotation / a.dt};
 }
 
 Twist2 velocity_at(const Band& band, const Twist2& start, double time) {

@@ -8,7 +8,7 @@
 
 namespace bw::teb {
 
-/// Mean velocity of segment i: motion along the mean heading, turn, both over dt.
+/// Mean velocity of segment i: motion along the mean heading, rotation, both over dt.
 Twist2 segment_velocity(const Band& band, std::size_t i);
 
 /// Velocity `time` [s] after the start: segment velocities hold at the middles of their segments and are

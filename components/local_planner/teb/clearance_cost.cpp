@@ -38,7 +38,7 @@ double evaluate_clearance(const ClearanceModel& model, const ClearanceTerm& term
   const double residual = std::sqrt(cost);
   if (gradient != nullptr) {
     const double slope = -(obstacle * close + inflation * inflated) / residual;
-    *gradient = {clearance.gradient.x() * slope, clearance.gradient.y() * slope, clearance.turn * slope};
+    *gradient = {clearance.gradient.x() * slope, clearance.gradient.y() * slope, clearance.by_theta * slope};
   }
   return residual;
 }

@@ -57,9 +57,9 @@ Vector2 first_passing_point(const std::vector<TrajectoryPoint>& trajectory, cons
 double hrvo_cost(const hrvo::Advice& advice, const std::vector<TrajectoryPoint>& trajectory,
                  const ObstacleField& field, double weight) {
   if (advice.velocity.norm() < hrvo::kNoDirection || trajectory.size() < 2) return 0.0;
-  const Vector2 way = first_passing_point(trajectory, field) - trajectory.front().pose.position();
-  if (way.norm() < 1e-6) return 0.0;
-  return weight * std::abs(std::atan2(cross(advice.velocity, way), advice.velocity.dot(way)));
+  const Vector2 to_passing = first_passing_point(trajectory, field) - trajectory.front().pose.position();
+  if (to_passing.norm() < 1e-6) return 0.0;
+  return weight * std::abs(std::atan2(cross(advice.velocity, to_passing), advice.velocity.dot(to_passing)));
 }
 
 ChoiceTermSource hrvo_preference(const hrvo::HrvoOptions& hrvo, double weight) {

@@ -22,13 +22,13 @@ struct PtebOptions {
   }
 };
 
-/// weight * |angle between the advised velocity and the way to zeta_p|, where zeta_p is the point of
+/// weight * |angle between the advised velocity and the direction to zeta_p|, where zeta_p is the point of
 /// `trajectory` nearest to an obstacle within the first 4 m, or 2 m ahead when none is near. 0 when the
 /// advice is to stand.
 double hrvo_cost(const hrvo::Advice& advice, const std::vector<TrajectoryPoint>& trajectory,
                  const ObstacleField& field, double weight);
 
-/// hrvo_cost of every candidate against the advice for the way to the end of the plan. `weight`: delta_hrvo
+/// hrvo_cost of every candidate against the advice for the path to the end of the plan. `weight`: delta_hrvo
 /// of (3.12), per radian.
 ChoiceTermSource hrvo_preference(const hrvo::HrvoOptions& hrvo, double weight);
 

@@ -43,7 +43,7 @@ void allow_narrow_passages(std::vector<ClearanceTerm>& terms, const Footprint& f
     return std::ranges::none_of(sides, [&](const Side& other) {
       if (other.term == left.term || other.term == right.term || other.term->fraction != left.term->fraction)
         return false;
-      // It stands between them when there is no way at either side of it.
+      // It stands between them when there is no passage at either side of it.
       return std::max(room(left, other, robot), room(other, right, robot)) < least;
     });
   };

@@ -14,7 +14,7 @@ namespace {
 constexpr double kSameSpot = 0.05;   // [m]
 constexpr double kSamePoint = 1e-9;  // [m]
 // How wide a spot is where there are many, by how much nearer it must come to cost something: from there on
-// what lies beside it is reached on nearly the same way.
+// what lies beside it is reached on nearly the same path.
 constexpr double kSpotWidening = 1.5;
 
 // Tells apart all that differ, by the distance from the robot first: that is the same in every frame.
@@ -27,14 +27,14 @@ auto order_of(const Capsule& c, const Vector2& robot) {
 NearestStatics::NearestStatics(const ObstacleField& field, double reach, double costly)
     : field_(field), reach_(reach), costly_(costly) {}
 
-void NearestStatics::look_along(const Segment& way, double aside) {
+void NearestStatics::look_along(const Segment& path, double aside) {
   around_.clear();
   const double limit = aside + reach_ + field_.footprint.radius;
-  const double half = 0.5 * (way.b - way.a).norm();
-  field_.statics.visit_near(0.5 * (way.a + way.b), half + limit, [&](const CapsuleIndex::Group& group) {
+  const double half = 0.5 * (path.b - path.a).norm();
+  field_.statics.visit_near(0.5 * (path.a + path.b), half + limit, [&](const CapsuleIndex::Group& group) {
     const Vector2 middle = 0.5 * (group.low + group.high);
     const double extent = 0.5 * (group.high - group.low).norm() + group.radius;
-    const double squared = (middle - nearest_point(way, middle)).squaredNorm();
+    const double squared = (middle - nearest_point(path, middle)).squaredNorm();
     if (squared <= (limit + extent) * (limit + extent)) around_.push_back(group);
   });
 }
@@ -46,15 +46,15 @@ std::size_t NearestStatics::find(const Pose2& pose, std::size_t most, std::vecto
   spots_.clear();
   collect(pose);
   const bool many = candidates_.size() > most;
-  std::array<std::size_t, 3> places{most, (most + 1) / 2, (most + 1) / 2};  // ahead or behind, left, right
+  std::array<std::size_t, 3> slots{most, (most + 1) / 2, (most + 1) / 2};  // ahead or behind, left, right
   std::size_t left_out = 0;
   std::make_heap(candidates_.begin(), candidates_.end(), is_later);
   while (!candidates_.empty() && found.size() < most) {
     std::pop_heap(candidates_.begin(), candidates_.end(), is_later);
     Candidate& next = candidates_.back();
     if (next.distance >= costly_ && found.size() + spare_.size() >= most) break;
-    std::size_t& places_left = places[side_of(pose, next)];
-    if (places_left == 0 && spare_.size() == most) {
+    std::size_t& slots_left = slots[side_of(pose, next)];
+    if (slots_left == 0 && spare_.size() == most) {
       left_out += next.distance < costly_;
       if (next.index == kGroup) {
         candidates_.pop_back();
@@ -62,8 +62,8 @@ std::size_t NearestStatics::find(const Pose2& pose, std::size_t most, std::vecto
       }
       spots_.push_back({next.spot, kSamePoint * kSamePoint});  // others of its group may be on the other side
     } else if (next.index != kGroup && !is_known(next.spot)) {
-      (places_left > 0 ? found : spare_).push_back({next.distance, next.spot, next.index});
-      if (places_left > 0) --places_left;
+      (slots_left > 0 ? found : spare_).push_back({next.distance, next.spot, next.index});
+      if (slots_left > 0) --slots_left;
       const double radius = many ? std::max(kSameSpot, kSpotWidening * (next.distance - costly_)) : kSameSpot;
       spots_.push_back({next.spot, radius * radius});
     }
@@ -92,9 +92,9 @@ bool NearestStatics::is_before(const Candidate& l, const Candidate& r) const {
   return order_of(capsules[l.index], field_.position) < order_of(capsules[r.index], field_.position);
 }
 
-bool NearestStatics::is_known(const Vector2& place) const {
+bool NearestStatics::is_known(const Vector2& position) const {
   return std::any_of(spots_.begin(), spots_.end(), [&](const Spot& spot) {
-    return (spot.place - place).squaredNorm() < spot.squared_radius;
+    return (spot.position - position).squaredNorm() < spot.squared_radius;
   });
 }
 
@@ -102,9 +102,9 @@ std::size_t NearestStatics::side_of(const Pose2& pose, const Candidate& candidat
   const Vector2 ahead = direction(pose.theta);
   const CapsuleIndex::Group& group = around_[candidate.group];
   const bool is_group = candidate.index == kGroup;
-  const Vector2 place = is_group ? Vector2(0.5 * (group.low + group.high)) : candidate.spot;
+  const Vector2 position = is_group ? Vector2(0.5 * (group.low + group.high)) : candidate.spot;
   const Vector2 half = is_group ? Vector2(0.5 * (group.high - group.low)) : Vector2(0.0, 0.0);
-  const double aside = cross(ahead, place - pose.position());
+  const double aside = cross(ahead, position - pose.position());
   const double extent = std::abs(ahead.x()) * half.y() + std::abs(ahead.y()) * half.x();
   return aside > extent ? 1 : aside < -extent ? 2 : 0;
 }
@@ -145,7 +145,7 @@ bool NearestStatics::is_used_up(const Candidate& candidate) const {
   if (group.last - group.first == 1) return candidate.index == kGroup || is_known(candidate.spot);
   return std::any_of(spots_.begin(), spots_.end(), [&](const Spot& spot) {
     const Vector2 farthest =
-        (spot.place - group.low).cwiseAbs().cwiseMax((spot.place - group.high).cwiseAbs());
+        (spot.position - group.low).cwiseAbs().cwiseMax((spot.position - group.high).cwiseAbs());
     return farthest.squaredNorm() < spot.squared_radius;
   });
 }

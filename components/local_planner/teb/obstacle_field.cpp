@@ -9,7 +9,7 @@
 namespace bw::teb {
 namespace {
 
-// As time_indexed sees them, if they stood at their present and, if asked, at one future place.
+// As time_indexed sees them, if they stood at their present and, if asked, at one future position.
 void add_standing(const Mover& mover, const PredictionOptions& prediction, std::vector<Mover>& movers) {
   const auto add = [&](const Vector2& position) {
     movers.push_back(mover);

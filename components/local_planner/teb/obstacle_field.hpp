@@ -11,7 +11,7 @@
 namespace bw::teb {
 
 /// How unsure a prediction becomes with the time ahead: it widens the inflation of a mover, so that a band
-/// keeps further away where that is cheap and a narrow way stays open.
+/// keeps further away where that is cheap and a narrow passage stays open.
 struct Uncertainty {
   double factor = 0.0;     ///< standard deviations
   double growth = 0.0;     ///< of the standard deviation where the mover has none [m/s]

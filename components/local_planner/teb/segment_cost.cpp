@@ -17,9 +17,9 @@ enum Residual : std::size_t {
   kSpeed,
   kTurnRate,
   kAcceleration,
-  kTurnAcceleration,
+  kAngularAcceleration,
   kFirstAcceleration,
-  kFirstTurnAcceleration,
+  kFirstAngularAcceleration,
 };
 enum Column : std::size_t { kX, kY, kTheta, kDt, kNextX, kNextY, kNextTheta };
 
@@ -40,10 +40,10 @@ Hinge outside(double z, double low, double high, double epsilon) {
   return {0.0, 0.0};
 }
 
-// dir(theta_a + turn / 2): the bisector of both headings, unless they are too far apart to have one.
-Vector2 mean_direction(const Heading& a, const Heading& b, double turn) {
-  constexpr double kLargestTurn = 2.5;  // [rad]
-  if (std::abs(turn) > kLargestTurn) return direction(a.pose[2] + turn / 2.0);
+// dir(theta_a + rotation / 2): the bisector of both headings, unless they are too far apart to have one.
+Vector2 mean_direction(const Heading& a, const Heading& b, double rotation) {
+  constexpr double kLargestRotation = 2.5;  // [rad]
+  if (std::abs(rotation) > kLargestRotation) return direction(a.pose[2] + rotation / 2.0);
   return (a.u + b.u).normalized();
 }
 
@@ -172,15 +172,15 @@ void evaluate_accelerations(const SegmentModel& model, const SegmentStates& stat
   if (states.end == SegmentEnd::next_segment) {
     const double dt_sum = motion.dt + states.next->dt;
     evaluate_change(motion.v, states.next->v, dt_sum, linear, kAcceleration, out);
-    evaluate_change(motion.omega, states.next->omega, dt_sum, angular, kTurnAcceleration, out);
+    evaluate_change(motion.omega, states.next->omega, dt_sum, angular, kAngularAcceleration, out);
   } else if (states.end == SegmentEnd::rest) {
     evaluate_end(motion.v, 0.0, {-1.0, span, motion.dt}, linear, kAcceleration, out);
-    evaluate_end(motion.omega, 0.0, {-1.0, span, motion.dt}, angular, kTurnAcceleration, out);
+    evaluate_end(motion.omega, 0.0, {-1.0, span, motion.dt}, angular, kAngularAcceleration, out);
   }
   if (states.start_twist == nullptr) return;
   const BandEnd start{1.0, span, motion.dt};
   evaluate_end(motion.v, states.start_twist->v, start, linear, kFirstAcceleration, out);
-  evaluate_end(motion.omega, states.start_twist->omega, start, angular, kFirstTurnAcceleration, out);
+  evaluate_end(motion.omega, states.start_twist->omega, start, angular, kFirstAngularAcceleration, out);
 }
 
 void evaluate(const SegmentModel& model, const SegmentStates& states, const Output& out) {
@@ -208,14 +208,14 @@ bool evaluate_motion(const SegmentModel& model, const Heading& a, const Heading&
   const double dt = a.pose[3];
   if (!(dt > kShortestInterval)) return false;
   const Vector2 d(b.pose[0] - a.pose[0], b.pose[1] - a.pose[1]);
-  const double turn = wrap_angle(b.pose[2] - a.pose[2]);
+  const double rotation = wrap_angle(b.pose[2] - a.pose[2]);
   motion.dt = dt;
   if (model.consistent_motion) {
-    project_speed(d, mean_direction(a, b, turn), dt, motion.v);
+    project_speed(d, mean_direction(a, b, rotation), dt, motion.v);
   } else {
     signed_length_speed(d, a.u, dt, motion.v);
   }
-  motion.omega.value = turn / dt;
+  motion.omega.value = rotation / dt;
   motion.omega.gradient = {0.0, 0.0, -1.0 / dt, -motion.omega.value / dt, 0.0, 0.0, 1.0 / dt};
   return true;
 }

@@ -80,14 +80,15 @@ void SensorInputs::on_imu(const sensor_msgs::msg::Imu& message, const Tick& tick
 }
 
 void SensorInputs::on_fix(const sensor_msgs::msg::NavSatFix& message, const Tick& tick) {
-  const std::optional<Geodetic> place = to_geodetic(message, plane_ ? plane_->datum().altitude : 0.0);
-  if (!place) return;
+  const std::optional<Geodetic> geodetic = to_geodetic(message, plane_ ? plane_->datum().altitude : 0.0);
+  if (!geodetic) return;
   if (!plane_) {
-    plane_ = LocalPlane::around(*place);
-    log_.info("the origin of map is the first fix: {:.7f} N, {:.7f} E", place->latitude, place->longitude);
+    plane_ = LocalPlane::around(*geodetic);
+    log_.info("the origin of map is the first fix: {:.7f} N, {:.7f} E", geodetic->latitude,
+              geodetic->longitude);
   }
   const Pose2 X_BS = mounts_.of(message.header().frame_id());
-  const PositionFix fix = to_fix(message, gps_, *place, *plane_, X_BS, sensors_.gps_noise);
+  const PositionFix fix = to_fix(message, gps_, *geodetic, *plane_, X_BS, sensors_.gps_noise);
   filter_->add(fix, tick.now);
   if (!sensors_.course) return;
   if (const auto course = course_from_fixes_->add(fix)) filter_->add(*course, tick.now);

@@ -31,16 +31,16 @@ std::optional<HeadingReading> to_heading(const sensor_msgs::msg::Imu& message, i
 std::optional<Geodetic> to_geodetic(const sensor_msgs::msg::NavSatFix& message, double unknown_altitude) {
   if (message.status().status() < sensor_msgs::msg::NavSatStatus_Constants::STATUS_FIX) return std::nullopt;
   const double altitude = std::isfinite(message.altitude()) ? message.altitude() : unknown_altitude;
-  const Geodetic place{message.latitude(), message.longitude(), altitude};
-  return is_plausible(place) ? std::optional(place) : std::nullopt;
+  const Geodetic geodetic{message.latitude(), message.longitude(), altitude};
+  return is_plausible(geodetic) ? std::optional(geodetic) : std::nullopt;
 }
 
-PositionFix to_fix(const sensor_msgs::msg::NavSatFix& message, int source, const Geodetic& place,
+PositionFix to_fix(const sensor_msgs::msg::NavSatFix& message, int source, const Geodetic& geodetic,
                    const LocalPlane& plane, const Pose2& X_BS, double sigma) {
   PositionFix fix;
   fix.time = from_stamp(message.header().stamp());
   fix.source = source;
-  fix.position = plane.to_plane(place).head<2>();
+  fix.position = plane.to_plane(geodetic).head<2>();
   fix.antenna = X_BS.position();
   const auto& C = message.position_covariance();
   const bool unknown =

@@ -21,10 +21,10 @@ std::optional<GyroReading> to_gyro(const sensor_msgs::msg::Imu& message, int sou
 std::optional<HeadingReading> to_heading(const sensor_msgs::msg::Imu& message, int source, const Pose2& X_BS,
                                          double sigma);
 
-/// Nothing without a fix, or when its place is none on the earth. An unknown altitude counts as that of the
-/// datum.
+/// Nothing without a fix, or when its position is none on the earth. An unknown altitude counts as that of
+/// the datum.
 std::optional<Geodetic> to_geodetic(const sensor_msgs::msg::NavSatFix& message, double unknown_altitude);
-PositionFix to_fix(const sensor_msgs::msg::NavSatFix& message, int source, const Geodetic& place,
+PositionFix to_fix(const sensor_msgs::msg::NavSatFix& message, int source, const Geodetic& geodetic,
                    const LocalPlane& plane, const Pose2& X_BS, double sigma);
 
 /// A pose; or a position only, when the variance of its yaw says that it is unknown (above 10 rad^2).

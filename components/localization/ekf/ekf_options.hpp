@@ -35,7 +35,7 @@ struct MotionOptions {
   double extrapolation = 0.5;
   double acceleration = 1.0;
   /// [rad/s^2] standard deviation of the angular acceleration while the pose is extrapolated
-  static constexpr double kTurnAcceleration = 1.0;
+  static constexpr double kAngularAcceleration = 1.0;
   /// [m/s] standard deviation of the speed while wheels are silent
   static constexpr double kSilentSpeed = 1.0;
   /// [rad/s] standard deviation of the turn rate while wheels are silent and no gyro is heard
@@ -122,7 +122,7 @@ struct SlipOptions {
   /// standard deviation of what is left of the way during slip, as a share of it
   static constexpr double kDistanceShare = 0.05;
   /// the same of the turn, as a share of what wheels and gyro disagree about: the gyro may be wrong
-  static constexpr double kTurnShare = 0.2;
+  static constexpr double kRotationShare = 0.2;
 
   template <class Visitor>
   void fields(Visitor& v) {

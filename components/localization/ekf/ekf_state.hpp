@@ -13,8 +13,8 @@
 
 namespace bw::localization {
 
-/// x, y, theta, gyro bias, heading offset, rounding of the turn that the wheels have counted; an unused one
-/// has variance zero.
+/// x, y, theta, gyro bias, heading offset, rounding of the rotation that the wheels have counted; an unused
+/// one has variance zero.
 constexpr int kStates = 6;
 constexpr int kRounding = 5;
 using StateVector = Eigen::Matrix<double, kStates, 1>;
@@ -37,20 +37,20 @@ struct SlipExcess {
   double peak = 0.0;                ///< largest disagreement [rad]
   std::array<double, 3> weights{};  ///< of right wheel, left wheel, both alike; sum < 1: none fits
   double disagreement = 0.0;        ///< sum, signed [rad]
-  double turned = 0.0;              ///< sum of its steps' magnitudes [rad]
+  double rotated = 0.0;             ///< sum of its steps' magnitudes [rad]
   double travel = 0.0;              ///< of the wheels [m]
-  double turn = 0.0;                ///< of the wheels [rad]
+  double rotation = 0.0;            ///< of the wheels [rad]
   double taken = 0.0;               ///< of the distance taken back so far [m]
   double variance = 0.0;            ///< of the distance, given so far [m^2]
 };
 
 /// Wheels against gyro (slip.hpp). The first five are sums forgotten exponentially, over one window or so.
 struct SlipWatch {
-  double disagreement = 0.0;  ///< turn of the wheels less the gyro's [rad]
+  double disagreement = 0.0;  ///< rotation of the wheels less the gyro's [rad]
   double variance = 0.0;      ///< of its white part [rad^2]
   double time = 0.0;          ///< [s] that it spans; times the bias' variance, its common part
   double travel = 0.0;        ///< of the wheels [m]
-  double turn = 0.0;          ///< of the wheels [rad]
+  double rotation = 0.0;      ///< of the wheels [rad]
   double block_travel = 0.0;  ///< of the span of one window that is not full yet [m]
   double block_time = 0.0;    ///< [s]
   double last_speed = 0.0;    ///< mean over the last full one [m/s]
@@ -69,7 +69,7 @@ struct RejectedRun {
   Vector2 position{0.0, 0.0};  ///< the last one that agreed
   double heading = 0.0;
   double odometer = 0.0;  ///< of the robot then [m]
-  double turned = 0.0;    ///< the same of its turn [rad]
+  double rotated = 0.0;   ///< the same of its rotation [rad]
   double start_odometer = 0.0;
   RigidFit fit;  ///< map from odometry, of the run's positions
 };
@@ -108,7 +108,7 @@ struct EkfState {
   Time rounded_at = kNever;  ///< end of the wheel step to which the rounding belongs
   Pose2 X_OB;                ///< wheels and gyro alone, from where the filter started
   double odometer = 0.0;     ///< [m], forward and backward both counted
-  double turned = 0.0;       ///< [rad], signed, not wrapped
+  double rotated = 0.0;      ///< [rad], signed, not wrapped
   GyroSum gyro;
   SlipWatch slip;
   Time last_reset = kNever;  ///< last time a source took the estimate over

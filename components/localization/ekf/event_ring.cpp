@@ -38,31 +38,31 @@ EventRing::Insertion EventRing::insert(const Measurement& measurement) {
   const Time newest_stamp = size_ == 0 ? base_stamp_ : stamp(at(size_ - 1).measurement);
   if (time < base_stamp_ || time < newest_stamp - window_) return {{Verdict::too_old}};
 
-  int place = size_;
+  int position = size_;
   const auto key = rank(measurement);
-  while (place > 0 && key < rank(at(place - 1).measurement)) --place;
-  if (place > 0 && key == rank(at(place - 1).measurement)) return {{Verdict::duplicate}};
+  while (position > 0 && key < rank(at(position - 1).measurement)) --position;
+  if (position > 0 && key == rank(at(position - 1).measurement)) return {{Verdict::duplicate}};
 
   if (size_ == static_cast<int>(order_.size())) {
-    if (place == 0) return {{Verdict::too_old}};
+    if (position == 0) return {{Verdict::too_old}};
     drop_first();
-    --place;
+    --position;
     ++squeezed_out_;
   }
   const std::size_t slot = order_[index(size_)];
-  for (int i = size_; i > place; --i) order_[index(i)] = order_[index(i - 1)];
-  order_[index(place)] = slot;
+  for (int i = size_; i > position; --i) order_[index(i)] = order_[index(i - 1)];
+  order_[index(position)] = slot;
   ++size_;
   events_[slot].measurement = measurement;
 
   Insertion insertion;
-  for (int i = place; i < size_; ++i) {
+  for (int i = position; i < size_; ++i) {
     Event& event = at(i);
     event.after = i == 0 ? base_ : at(i - 1).after;
     const FusionResult result = fusion_.apply(event.after, event.measurement);
-    if (i == place) insertion.result = result;
+    if (i == position) insertion.result = result;
   }
-  insertion.replayed = size_ - 1 - place;
+  insertion.replayed = size_ - 1 - position;
   while (size_ > 1 && stamp(at(size_ - 1).measurement) - stamp(at(0).measurement) > window_) drop_first();
   return insertion;
 }

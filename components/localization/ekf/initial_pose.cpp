@@ -10,13 +10,14 @@
 namespace bw::localization {
 namespace {
 
-constexpr std::size_t kMaxPlaces = 1024;
+constexpr std::size_t kMaxPoses = 1024;
 constexpr std::size_t kMaxFixes = 64;
 constexpr std::size_t kMaxHeadings = 32;
 constexpr double kCaution = 2.0;  // times the variance: agreeing samples may share an error
-// Variance of the heading at the end of a straight way against that of the line fitted through all of it, as
-// a share of what the wheels' turn adds up along it (a random walk): integral of (3 x^2 - 2 x^3)^2 over 0..1.
-constexpr double kTurnSinceFit = 13.0 / 35.0;
+// Variance of the heading at the end of a straight path against that of the line fitted through all of it, as
+// a share of what the wheels' rotation adds up along it (a random walk): integral of (3 x^2 - 2 x^3)^2 over
+// 0..1.
+constexpr double kRotationSinceFit = 13.0 / 35.0;
 
 // Keeps the latest ones; the older half goes at once, so that adding is cheap on average.
 template <class T>
@@ -50,41 +51,41 @@ InitialPose::InitialPose(const InitialOptions& options, double gate_probability)
 }
 
 void InitialPose::restart() {
-  way_.assign(1, {kNever, {}});
+  poses_.assign(1, {kNever, {}});
   fixes_.clear();
   headings_.clear();
 }
 
-InitialPose::Place InitialPose::place_at(Time time) const {
-  const auto after = std::upper_bound(way_.begin(), way_.end(), time,
-                                      [](Time t, const Place& place) { return t < place.time; });
-  if (after == way_.begin()) return *after;
-  const Place& before = *(after - 1);
-  if (after == way_.end() || before.time == kNever) return before;
+InitialPose::OdometryPose InitialPose::pose_at(Time time) const {
+  const auto after = std::upper_bound(poses_.begin(), poses_.end(), time,
+                                      [](Time t, const OdometryPose& pose) { return t < pose.time; });
+  if (after == poses_.begin()) return *after;
+  const OdometryPose& before = *(after - 1);
+  if (after == poses_.end() || before.time == kNever) return before;
   const double part = (time - before.time).to_seconds() / (after->time - before.time).to_seconds();
   const Pose2 moved = inverse(before.X_OB) * after->X_OB;
   return {time, before.X_OB * Pose2{part * moved.x, part * moved.y, part * moved.theta},
-          before.turn_variance + part * (after->turn_variance - before.turn_variance)};
+          before.heading_variance + part * (after->heading_variance - before.heading_variance)};
 }
 
 std::optional<StartPose> InitialPose::add(const Measurement& measurement) {
   if (const auto* pose = std::get_if<PoseReading>(&measurement))
     return StartPose{pose->time, pose->X_MB, pose->covariance};
   if (const auto* step = std::get_if<WheelStep>(&measurement)) {
-    const Place& last = way_.back();
+    const OdometryPose& last = poses_.back();
     if (step->time <= last.time) return std::nullopt;
-    push(way_,
-         {step->time, advance_arc(last.X_OB, step->distance, step->turn),
-          last.turn_variance + step->covariance(1, 1)},
-         kMaxPlaces);
+    push(poses_,
+         {step->time, advance_arc(last.X_OB, step->distance, step->rotation),
+          last.heading_variance + step->covariance(1, 1)},
+         kMaxPoses);
   } else if (const auto* heading = std::get_if<HeadingReading>(&measurement)) {
-    const Place at = place_at(heading->time);
-    push(headings_, {wrap_angle(heading->heading - at.X_OB.theta), heading->variance, at.turn_variance},
+    const OdometryPose at = pose_at(heading->time);
+    push(headings_, {wrap_angle(heading->heading - at.X_OB.theta), heading->variance, at.heading_variance},
          kMaxHeadings);
   } else if (const auto* fix = std::get_if<PositionFix>(&measurement)) {
-    const Place at = place_at(fix->time);
+    const OdometryPose at = pose_at(fix->time);
     const double variance = fix->covariance.diagonal().maxCoeff();
-    push(fixes_, {at.X_OB * fix->antenna, fix->position, variance, at.turn_variance}, kMaxFixes);
+    push(fixes_, {at.X_OB * fix->antenna, fix->position, variance, at.heading_variance}, kMaxFixes);
   } else {
     return std::nullopt;
   }
@@ -94,9 +95,9 @@ std::optional<StartPose> InitialPose::add(const Measurement& measurement) {
     start = with_heading(*theta_MO);
     if (start) start->by_compass = true;
   } else if (!has_headings()) {
-    start = from_way();
+    start = from_path();
   }
-  if (start) start->time = way_.back().time == kNever ? stamp(measurement) : way_.back().time;
+  if (start) start->time = poses_.back().time == kNever ? stamp(measurement) : poses_.back().time;
   return start;
 }
 
@@ -119,7 +120,7 @@ std::optional<InitialPose::Angle> InitialPose::heading_from_compass() const {
   if (2 * agreeing <= static_cast<int>(headings_.size()) || agreeing < options_.kHeadings)
     return std::nullopt;
   // Not divided by their number: readings of a compass err alike.
-  const double wheels = way_.back().turn_variance - headings_[middle].turn_variance;
+  const double wheels = poses_.back().heading_variance - headings_[middle].heading_variance;
   return Angle{wrap_angle(headings_[middle].value + sum / agreeing), kCaution * variance + wheels, 0.0};
 }
 
@@ -147,7 +148,7 @@ std::optional<StartPose> InitialPose::with_heading(const Angle& theta_MO) const 
   shift /= agreeing;
   centre_O /= agreeing;
   StartPose start;
-  const Pose2 X_OB = way_.back().X_OB;
+  const Pose2 X_OB = poses_.back().X_OB;
   start.X_MB = Pose2{shift.x(), shift.y(), theta_MO.value} * X_OB;
   const Vector2 arm = rotate({0.0, 0.0, theta_MO.value}, X_OB.position() - centre_O);
   const Vector2 by_heading(-arm.y(), arm.x());
@@ -161,7 +162,7 @@ std::optional<StartPose> InitialPose::with_heading(const Angle& theta_MO) const 
   return start;
 }
 
-std::optional<StartPose> InitialPose::from_way() const {
+std::optional<StartPose> InitialPose::from_path() const {
   std::vector<Fix> fitting = fixes_;
   const std::size_t least = std::max<std::size_t>(4, fixes_.size() / 2 + 1);
   while (fitting.size() >= least) {
@@ -188,7 +189,8 @@ std::optional<StartPose> InitialPose::from_way() const {
     }
     const double spread = fit.spread();
     if (longest < options_.distance || spread <= 0.0) return std::nullopt;
-    const double wheels = kTurnSinceFit * (way_.back().turn_variance - fitting.front().turn_variance);
+    const double wheels =
+        kRotationSinceFit * (poses_.back().heading_variance - fitting.front().heading_variance);
     const Angle theta_MO{X_MO.theta, kCaution * variance / spread + wheels, 0.0};
     if (theta_MO.variance > options_.heading_sigma * options_.heading_sigma) return std::nullopt;
     return with_heading(theta_MO);

@@ -1,10 +1,10 @@
 // The first pose, from several measurements that agree, never from one sample.
 //
-// Wheels give a way in an odometry frame O; the pose of O in map is asked for.
+// Wheels give a path in an odometry frame O; the pose of O in map is asked for.
 //  - With a compass: heading of O = the readings' medoid (the one with the least sum of distances to the
 //    others) averaged with those that agree with it; position = medoid and average of the fixes, likewise.
-//  - Without: turn and shift that carry the way onto the fixes, the worst fix left out as long as it does not
-//    fit, once the way is long enough for a heading within `heading_sigma`.
+//  - Without: rotation and shift that carry the path onto the fixes, the worst fix left out as long as it
+//    does not fit, once the path is long enough for a heading within `heading_sigma`.
 // A majority must agree.
 #pragma once
 
@@ -35,32 +35,32 @@ class InitialPose {
   void restart();
 
  private:
-  struct Place {
+  struct OdometryPose {
     Time time;
     Pose2 X_OB;
-    double turn_variance = 0.0;  ///< of the heading in O [rad^2]
+    double heading_variance = 0.0;  ///< of the heading in O [rad^2]
   };
   struct Fix {
     Vector2 p_O;  ///< of the antenna
     Vector2 p_M;
     double variance = 0.0;
-    double turn_variance = 0.0;  ///< of the place
+    double heading_variance = 0.0;  ///< of the position
   };
   struct Angle {
     double value = 0.0;
     double variance = 0.0;
-    double turn_variance = 0.0;  ///< of the place
+    double heading_variance = 0.0;  ///< of the position
   };
 
-  Place place_at(Time time) const;
+  OdometryPose pose_at(Time time) const;
   std::optional<Angle> heading_from_compass() const;
   std::optional<StartPose> with_heading(const Angle& theta_MO) const;
-  std::optional<StartPose> from_way() const;
+  std::optional<StartPose> from_path() const;
 
   InitialOptions options_;
   double gate1_;
   double gate2_;
-  std::vector<Place> way_;  // circular by erasing the older half
+  std::vector<OdometryPose> poses_;  // circular by erasing the older half
   std::vector<Fix> fixes_;
   std::vector<Angle> headings_;
 };

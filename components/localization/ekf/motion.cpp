@@ -11,12 +11,12 @@
 namespace bw::localization {
 namespace {
 
-constexpr int kJoint = kStates + 2;  // the state and (distance, turn)
+constexpr int kJoint = kStates + 2;  // the state and (distance, rotation)
 using JointVector = Eigen::Matrix<double, kJoint, 1>;
 using JointMatrix = Eigen::Matrix<double, kJoint, kJoint>;
 
 constexpr double kCoverage = 0.9;         // of a step that the gyro must have seen
-constexpr double kTurnFloor = 1e-9;       // [rad^2/s] that a turn is never known better than
+constexpr double kRotationFloor = 1e-9;   // [rad^2/s] that a rotation is never known better than
 constexpr double kDistanceFloor = 1e-10;  // [m^2/s] the same
 
 double seconds(Duration d) { return d.to_seconds(); }
@@ -50,29 +50,29 @@ void add_process_noise(StateMatrix& P, double dt, const BiasOptions& bias) {
   if (bias.heading_offset) P(4, 4) += bias.heading_offset_walk * bias.heading_offset_walk * dt;
 }
 
-// The state and the step (distance, turn), estimated together.
+// The state and the step (distance, rotation), estimated together.
 struct Joint {
   JointVector mean;
   JointMatrix covariance = JointMatrix::Zero();
-  double carried = 0.0;           // of the turn: the rounding that the step began with
+  double carried = 0.0;           // of the rotation: the rounding that the step began with
   double carried_variance = 0.0;  // of it
 
   double& distance() { return mean(kStates); }
-  double& turn() { return mean(kStates + 1); }
+  double& rotation() { return mean(kStates + 1); }
   double gyro_bias() const { return mean(3); }
   double& distance_variance() { return covariance(kStates, kStates); }
-  double& turn_variance() { return covariance(kStates + 1, kStates + 1); }
+  double& rotation_variance() { return covariance(kStates + 1, kStates + 1); }
 };
 
-// The wheels have counted the turn Theta_k + r_k, r_k rounded anew at the end of each step, so that a step
-// measures its turn as turn - r_(k-1) + r_k. With r in the state a count that has not come yet is no proof
-// that the robot does not turn, and nothing adds up over many steps.
+// The wheels have counted the rotation Theta_k + r_k, r_k rounded anew at the end of each step, so that a
+// step measures its rotation as rotation - r_(k-1) + r_k. With r in the state a count that has not come yet
+// is no proof that the robot does not rotate, and nothing adds up over many steps.
 void add_rounding(Joint& joint, const EkfState& state, const WheelStep& step, bool follows) {
   const auto before = state.P.col(kRounding).head<kRounding>();
   joint.carried = follows ? state.x(kRounding) : 0.0;
   joint.carried_variance = follows ? state.P(kRounding, kRounding) : step.rounding;
-  joint.turn() += joint.carried;
-  joint.turn_variance() += joint.carried_variance + step.rounding;
+  joint.rotation() += joint.carried;
+  joint.rotation_variance() += joint.carried_variance + step.rounding;
   if (follows) {
     joint.covariance.col(kJoint - 1).head<kRounding>() += before;
     joint.covariance.row(kJoint - 1).head<kRounding>() += before.transpose();
@@ -87,24 +87,24 @@ void add_rounding(Joint& joint, const EkfState& state, const WheelStep& step, bo
 // `part` of the step belongs to the span of `dt` that the state is advanced by.
 Joint joined(const EkfState& state, const WheelStep& step, double part, double dt) {
   Joint joint;
-  joint.mean << state.x, step.distance * part, step.turn * part;
+  joint.mean << state.x, step.distance * part, step.rotation * part;
   joint.covariance.topLeftCorner<kStates, kStates>() = state.P;
   const double stretch = std::max(part, part * part);  // what is extended is guessed
   joint.covariance.bottomRightCorner<2, 2>() = stretch * sound_covariance(step);
   joint.distance_variance() += kDistanceFloor * dt;
-  joint.turn_variance() += kTurnFloor * dt;
+  joint.rotation_variance() += kRotationFloor * dt;
   add_rounding(joint, state, step, part == 1.0 && state.rounded_at == step.time - step.over);
   return joint;
 }
 
-// The gyro measures turn + bias dt.
+// The gyro measures rotation + bias dt.
 Innovation<kJoint, 1> gyro_innovation(const GyroSum& gyro, Joint& joint, double dt) {
   const double scale = dt / gyro.covered;
   Innovation<kJoint, 1> z;
   z.H.setZero();
   z.H(0, 3) = dt;
   z.H(0, kStates + 1) = 1.0;
-  z.residual(0) = gyro.angle * scale - joint.turn() - joint.gyro_bias() * dt;
+  z.residual(0) = gyro.angle * scale - joint.rotation() - joint.gyro_bias() * dt;
   z.R(0, 0) = gyro.angle_variance * scale * scale;
   return z;
 }
@@ -118,30 +118,31 @@ SlipCorrection update_by_gyro(EkfState& state, Joint& joint, const WheelStep& st
     // As the wheels counted: what they round is there twice in a span, not in each of its steps.
     const double rounded = joint.carried_variance + step.rounding;
     const ComparedStep compared{.disagreement = -z.residual(0) - joint.carried,
-                                .variance = joint.turn_variance() - rounded + z.R(0, 0),
+                                .variance = joint.rotation_variance() - rounded + z.R(0, 0),
                                 .rounding = step.rounding,
                                 .seconds = dt,
                                 .distance = joint.distance(),
-                                .turn = joint.turn() - joint.carried,
+                                .rotation = joint.rotation() - joint.carried,
                                 .separation = step.separation};
     watch_slip(state.slip, compared, state.P(3, 3), step.time, options.motion.acceleration, options.slip);
     if (slipping(state.slip) && !gyro_in_doubt(state.slip, options.slip)) {
       correction = take_back(state.slip, compared, step.time, options.slip);
       joint.distance_variance() += correction.variance;
-      joint.turn_variance() += z.residual(0) * z.residual(0);
+      joint.rotation_variance() += z.residual(0) * z.residual(0);
     }
   }
   if (!gyro_in_doubt(state.slip, options.slip)) update(joint.mean, joint.covariance, z);
   if (slipping(state.slip)) {
-    joint.turn_variance() += common_error(state.slip.excess.turned, z.residual(0), options.slip.kTurnShare);
+    joint.rotation_variance() +=
+        common_error(state.slip.excess.rotated, z.residual(0), options.slip.kRotationShare);
   }
   return correction;
 }
 
-// x+ = f(x, distance, turn), P+ = J C J^T, J the derivatives of the arc.
+// x+ = f(x, distance, rotation), P+ = J C J^T, J the derivatives of the arc.
 void move(EkfState& state, Joint& joint, double distance, double dt, const EkfOptions& options) {
-  const double turn = joint.turn();
-  const ArcStep arc = arc_step({joint.mean(0), joint.mean(1), joint.mean(2)}, distance, turn);
+  const double rotation = joint.rotation();
+  const ArcStep arc = arc_step({joint.mean(0), joint.mean(1), joint.mean(2)}, distance, rotation);
   Eigen::Matrix<double, kStates, kJoint> J = Eigen::Matrix<double, kStates, kJoint>::Zero();
   J.topLeftCorner<3, 3>() = arc.by_pose;
   J(3, 3) = J(4, 4) = J(kRounding, kRounding) = 1.0;
@@ -154,9 +155,9 @@ void move(EkfState& state, Joint& joint, double distance, double dt, const EkfOp
   add_process_noise(state.P, dt, options.bias);
   bound(state.P);
 
-  state.X_OB = advance_arc(state.X_OB, distance, turn);
+  state.X_OB = advance_arc(state.X_OB, distance, rotation);
   state.odometer += std::abs(distance);
-  state.turned += turn;
+  state.rotated += rotation;
 }
 
 }  // namespace
@@ -192,7 +193,7 @@ bool predict(EkfState& state, const WheelStep& step, const EkfOptions& options) 
 
   const double travelled = joint.distance() - slip.of_step;  // during this step
   move(state, joint, travelled - slip.catch_up, dt, options);
-  state.twist = {travelled / dt, joint.turn() / dt};
+  state.twist = {travelled / dt, joint.rotation() / dt};
   state.time = step.time;
   state.last_wheel = state.rounded_at = step.time;
   return true;
@@ -211,25 +212,25 @@ void predict_without_wheels(EkfState& state, Time time, const EkfOptions& option
   state.P(1, 1) += moved * moved * squares;
   GyroSum& gyro = state.gyro;
   hold_gyro(gyro, state.time, time, options.motion.kGyroGap);
-  double turn = 0.0;
+  double rotation = 0.0;
   if (gyro.covered >= kCoverage * dt) {
-    turn = gyro.angle - state.x(3) * dt;
+    rotation = gyro.angle - state.x(3) * dt;
     StateMatrix F = StateMatrix::Identity();
     F(2, 3) = -dt;
     state.P = F * state.P * F.transpose();
     state.P(2, 2) += gyro.angle_variance;
   } else {
-    const double turned = options.motion.kSilentTurnRate;
-    state.P(2, 2) += turned * turned * squares;
+    const double rate = options.motion.kSilentTurnRate;
+    state.P(2, 2) += rate * rate * squares;
   }
   restart(gyro);
   add_process_noise(state.P, dt, options.bias);
   bound(state.P);
 
-  state.x(2) = wrap_angle(state.x(2) + turn);
-  state.X_OB.theta = wrap_angle(state.X_OB.theta + turn);
+  state.x(2) = wrap_angle(state.x(2) + rotation);
+  state.X_OB.theta = wrap_angle(state.X_OB.theta + rotation);
   state.odometer += moved * dt;
-  state.turned += turn;
+  state.rotated += rotation;
   state.twist = {};
   state.time = time;
 }
@@ -238,8 +239,8 @@ Extrapolated extrapolate(const EkfState& state, Time time, const MotionOptions& 
   const double tau = std::max(0.0, seconds(time - state.time));
   const ArcStep arc = arc_step(state.pose(), state.twist.v * tau, state.twist.omega * tau);
   const double moved = options.acceleration * tau * tau / 2.0;
-  const double turned = options.kTurnAcceleration * tau * tau / 2.0;
-  return {arc.pose, arc.by_pose, moved * moved, turned * turned};
+  const double rotated = options.kAngularAcceleration * tau * tau / 2.0;
+  return {arc.pose, arc.by_pose, moved * moved, rotated * rotated};
 }
 
 }  // namespace bw::localization

@@ -1,8 +1,8 @@
-// Prediction: wheel steps with the gyro's opinion of their turn, and time without wheels.
+// Prediction: wheel steps with the gyro's opinion of their rotation, and time without wheels.
 //
-// The turn of the step and the state are estimated together: with the joint covariance diag(P, Q) of the
-// state and (distance, turn), the gyro measures turn + bias T, and the corrected step then moves the state
-// exactly.
+// The rotation of the step and the state are estimated together: with the joint covariance diag(P, Q) of the
+// state and (distance, rotation), the gyro measures rotation + bias T, and the corrected step then moves the
+// state exactly.
 #pragma once
 
 #include "components/localization/ekf/ekf_options.hpp"

@@ -71,8 +71,8 @@ Innovation<kStates, 1> observe(const HeadingReading& reading, const Extrapolated
 }
 
 Innovation<kStates, 1> observe(const CourseReading& reading, const Extrapolated& at, bool backward) {
-  const double turned = backward ? std::numbers::pi : 0.0;
-  return observe_direction(reading.course, at.X_MB.theta + turned, reading.variance, at);
+  const double rotated = backward ? std::numbers::pi : 0.0;
+  return observe_direction(reading.course, at.X_MB.theta + rotated, reading.variance, at);
 }
 
 }  // namespace bw::localization

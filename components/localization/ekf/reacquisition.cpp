@@ -9,34 +9,36 @@
 namespace bw::localization {
 namespace {
 
-constexpr double kWaySlack = 1.1;         // wheels may measure a way this much short
-constexpr double kTurnSlack = 0.1;        // and a turn
+constexpr double kDistanceSlack = 1.1;    // wheels may measure a distance this much short
+constexpr double kRotationSlack = 0.1;    // and a rotation
 constexpr int kMisfits = 3;               // in a row end a run
-constexpr double kKnownHeading = 0.0625;  // (0.25 rad)^2: a heading from a way is worth taking
+constexpr double kKnownHeading = 0.0625;  // (0.25 rad)^2: a heading from a path is worth taking
 
 struct Odometry {
   Pose2 X_OB;
   double odometer;
-  double turned;
+  double rotated;
 };
 
 Odometry odometry_at(const EkfState& state, Time time) {
   const double tau = std::max(0.0, (time - state.time).to_seconds());
   const double distance = state.twist.v * tau;
-  const double turn = state.twist.omega * tau;
-  return {advance_arc(state.X_OB, distance, turn), state.odometer + std::abs(distance), state.turned + turn};
+  const double rotation = state.twist.omega * tau;
+  return {advance_arc(state.X_OB, distance, rotation), state.odometer + std::abs(distance),
+          state.rotated + rotation};
 }
 
 bool agrees(const RejectedRun& run, const Rejection& r, const Odometry& now, double probability) {
   if (r.position) {
     const double noise = std::sqrt(2.0 * chi_square_quantile(probability, 2) * r.position_variance);
-    const double way = kWaySlack * (now.odometer - run.odometer);
-    if ((*r.position - run.position).norm() > way + noise) return false;
+    const double distance = kDistanceSlack * (now.odometer - run.odometer);
+    if ((*r.position - run.position).norm() > distance + noise) return false;
   }
   if (r.heading) {
     const double noise = std::sqrt(2.0 * chi_square_quantile(probability, 1) * r.heading_variance);
-    const double turned = now.turned - run.turned;
-    if (std::abs(wrap_angle(*r.heading - run.heading - turned)) > noise + kTurnSlack * std::abs(turned))
+    const double rotation = now.rotated - run.rotated;
+    if (std::abs(wrap_angle(*r.heading - run.heading - rotation)) >
+        noise + kRotationSlack * std::abs(rotation))
       return false;
   }
   return true;
@@ -46,7 +48,7 @@ void append(RejectedRun& run, const Rejection& r, const Odometry& now) {
   ++run.count;
   run.misfits = 0;
   run.odometer = now.odometer;
-  run.turned = now.turned;
+  run.rotated = now.rotated;
   if (r.position) {
     run.position = *r.position;
     run.fit.add(*r.position, now.X_OB * r.antenna);
@@ -117,16 +119,16 @@ void take_over(EkfState& state, const Rejection& r, const Eigen::Matrix3d& covar
     const double away = wrap_angle(fitted - theta_now);
     const bool disagrees =
         away * away > chi_square_quantile(options.probability, 1) * (state.P(2, 2) + heading_variance);
-    const bool turned =
+    const bool replaces_heading =
         heading_variance < kKnownHeading && (disagrees || !heading_supported(state, r.source, run.since));
-    if (turned) {
+    if (replaces_heading) {
       X_MB.theta = fitted;
       C(2, 2) = 2.0 * heading_variance + state.P(2, 2);  // P has what the wheels added during the run
     }
     const Vector2 base = *r.position - rotate({0.0, 0.0, X_MB.theta}, r.antenna);
     X_MB.x = base.x();
     X_MB.y = base.y();
-    replace(state, 0, turned ? 3 : 2, C);
+    replace(state, 0, replaces_heading ? 3 : 2, C);
   } else {
     X_MB.theta = wrap_angle(*r.heading - state.x(4));
     C(2, 2) += state.P(4, 4);

@@ -1,7 +1,7 @@
 // A source that the gate rejects for long: is the source wrong, or the estimate?
 //
 // A run counts the rejections of one source that agree with each other: positions no further apart than the
-// wheels travelled (plus noise), headings that turned as the wheels did. Three in a row that do not agree
+// wheels travelled (plus noise), headings that rotated as the wheels did. Three in a row that do not agree
 // begin a new run; any measurement accepted ends it. The source takes the estimate over when its run
 //   - has lasted gate.reacquire_after and has gate.reacquire_count members, and
 //   - no other source that gives the same was accepted during the run (for a heading: also no positions while
@@ -31,9 +31,9 @@ bool note_rejection(EkfState& state, const Rejection& rejection, const GateOptio
 
 /// Puts the estimate where the rejected run says, and ends the run.
 ///  - Position and heading: both, with the reading's covariance.
-///  - Position only: the reading's position. The heading is that of the way by wheels turned and shifted onto
-///    the run's positions, if they show it well (0.25 rad) and either no other heading was accepted meanwhile
-///    or it disagrees with the estimate by the gate; else the heading stays.
+///  - Position only: the reading's position. The heading is that of the path by wheels rotated and shifted
+///    onto the run's positions, if they show it well (0.25 rad) and either no other heading was accepted
+///    meanwhile or it disagrees with the estimate by the gate; else the heading stays.
 ///  - Heading only: the heading; the offset state stays.
 void take_over(EkfState& state, const Rejection& rejection, const Eigen::Matrix3d& covariance,
                const GateOptions& options);

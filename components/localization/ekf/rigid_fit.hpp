@@ -1,5 +1,5 @@
-// Turn and shift that carry points of one frame onto points of another, least squares, from running sums: how
-// a way by wheels lies in the map when positions along it are known.
+// Rotation and shift that carry points of one frame onto points of another, least squares, from running sums:
+// how a path by wheels lies in the map when positions along it are known.
 #pragma once
 
 #include <algorithm>

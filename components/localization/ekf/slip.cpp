@@ -20,16 +20,16 @@ struct Hypothesis {
   bool possible = false;
 };
 
-std::array<Hypothesis, 3> hypotheses(double travel, double turn, double disagreement, double separation) {
+std::array<Hypothesis, 3> hypotheses(double travel, double rotation, double disagreement, double separation) {
   const double one_wheel = separation / 2.0 * disagreement;
   const bool known = separation > 0.0;
-  // Both alike cannot turn the robot against the wheels; sliding, it moves at most a few times as far.
-  const double share = turn != 0.0 ? disagreement / turn : 2.0;
+  // Both alike cannot rotate the robot against the wheels; sliding, it moves at most a few times as far.
+  const double share = rotation != 0.0 ? disagreement / rotation : 2.0;
   return {{{one_wheel, known}, {-one_wheel, known}, {travel * share, share < 1.0 && share > -3.0}}};
 }
 
 void weigh(SlipWatch& watch, double separation, double acceleration, double window) {
-  const auto all = hypotheses(watch.travel, watch.turn, watch.disagreement, separation);
+  const auto all = hypotheses(watch.travel, watch.rotation, watch.disagreement, separation);
   const double sigma = kCalm * acceleration * window + kSpeedShare * std::abs(watch.speed);
   std::array<double, 3>& weights = watch.excess.weights;
   for (std::size_t h = 0; h < all.size(); ++h) {
@@ -60,7 +60,7 @@ void begin(SlipWatch& watch, Time time) {
   // It began within the window before it was seen.
   watch.excess.disagreement = watch.disagreement;
   watch.excess.travel = watch.travel;
-  watch.excess.turn = watch.turn;
+  watch.excess.rotation = watch.rotation;
 }
 
 }  // namespace
@@ -72,7 +72,7 @@ void watch_slip(SlipWatch& watch, const ComparedStep& step, double bias_variance
   watch.variance = lambda * lambda * watch.variance + step.variance;
   watch.time = lambda * watch.time + step.seconds;
   watch.travel = lambda * watch.travel + step.distance;
-  watch.turn = lambda * watch.turn + step.turn;
+  watch.rotation = lambda * watch.rotation + step.rotation;
   const double e = watch.disagreement;
   const double variance = watch.variance + watch.time * watch.time * bias_variance + 2.0 * step.rounding;
   const bool sign = e * e > options.gate * variance && std::abs(e) > options.kLeastRate * watch.time;
@@ -84,7 +84,7 @@ void watch_slip(SlipWatch& watch, const ComparedStep& step, double bias_variance
     } else {
       watch.excess.disagreement += step.disagreement;
       watch.excess.travel += step.distance;
-      watch.excess.turn += step.turn;
+      watch.excess.rotation += step.rotation;
     }
     if (std::abs(e) >= watch.excess.peak) {  // never as full of slip as now
       watch.excess.peak = std::abs(e);
@@ -103,7 +103,7 @@ void watch_slip(SlipWatch& watch, const ComparedStep& step, double bias_variance
 
 SlipCorrection take_back(SlipWatch& watch, const ComparedStep& step, Time time, const SlipOptions& options) {
   SlipExcess& sum = watch.excess;
-  const auto all = hypotheses(sum.travel, sum.turn, sum.disagreement, step.separation);
+  const auto all = hypotheses(sum.travel, sum.rotation, sum.disagreement, step.separation);
   double fitting = 0.0, mean = 0.0, square = 0.0;
   for (std::size_t h = 0; h < all.size(); ++h) {
     if (!all[h].possible) continue;

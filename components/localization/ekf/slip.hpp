@@ -1,16 +1,17 @@
-// Wheel slip from the turn that wheels and gyro disagree about, and the way that went with it.
+// Wheel slip from the rotation that wheels and gyro disagree about, and the distance that went with it.
 //
-// Sign of slip: e <- lambda e + (turn - gyro), s <- lambda^2 s + var, T <- lambda T + dt, lambda =
+// Sign of slip: e <- lambda e + (rotation - gyro), s <- lambda^2 s + var, T <- lambda T + dt, lambda =
 // exp(-dt / window); slip when e^2 > gate (s + T^2 var(bias) + 2 rounding) and |e| > least_rate T. One wheel
-// that slips always shows; both alike show only while turning, so that slip lasts for `hold` after its last
+// that slips always shows; both alike show only while rotating, so that slip lasts for `hold` after its last
 // sign.
 //
-// The way: with E the turn that the wheels measured too much since the slip began, and b their separation,
+// The distance: with E the rotation that the wheels measured too much since the slip began, and b their
+// separation,
 //   right wheel alone at fault: b/2 E too far,      left wheel alone: -b/2 E too far,
-//   both slip by the same share: travel / turn * E too far (both measure the same circle, faster).
+//   both slip by the same share: travel / rotation * E too far (both measure the same circle, faster).
 // A base keeps its speed better than a slipping wheel: each of the three is weighed by how well the speed
 // that it leaves agrees with that before the slip, and the mean of what they say is taken back; their scatter
-// stays as variance of the distance. Where none fits, all of the way may be wrong.
+// stays as variance of the distance. Where none fits, all of the distance may be wrong.
 #pragma once
 
 #include <cmath>
@@ -22,12 +23,12 @@ namespace bw::localization {
 
 /// One step as wheels measure it, and how far the gyro disagrees.
 struct ComparedStep {
-  double disagreement = 0.0;  ///< turn of the wheels less the gyro's without bias [rad]
+  double disagreement = 0.0;  ///< rotation of the wheels less the gyro's without bias [rad]
   double variance = 0.0;      ///< its white part [rad^2]
   double rounding = 0.0;      ///< what counts add at either end of any span, not of each step [rad^2]
   double seconds = 0.0;
   double distance = 0.0;    ///< [m]
-  double turn = 0.0;        ///< [rad]
+  double rotation = 0.0;    ///< [rad]
   double separation = 0.0;  ///< of the wheels [m]; 0: unknown
 };
 
@@ -44,8 +45,8 @@ struct SlipCorrection {
 /// Of a step that watch_slip has taken in.
 SlipCorrection take_back(SlipWatch& watch, const ComparedStep& step, Time time, const SlipOptions& options);
 
-/// Variance that a turn of |step| [rad] adds when all of it errs alike, as a share of its length: standard
-/// deviations add up, (share (sum + |step|))^2 - (share sum)^2. Adds |step| to `sum`.
+/// Variance that a rotation of |step| [rad] adds when all of it errs alike, as a share of its length:
+/// standard deviations add up, (share (sum + |step|))^2 - (share sum)^2. Adds |step| to `sum`.
 inline double common_error(double& sum, double step, double share) {
   const double before = sum;
   sum += std::abs(step);

@@ -42,7 +42,7 @@ class StampWatch {
 
  private:
   Duration tolerance_;
-  ForeignClock clock_{ForeignClock::Way::direct};
+  ForeignClock clock_{ForeignClock::Delivery::direct};
   Duration shift_;
   Duration lost_;
   Time last_now_;

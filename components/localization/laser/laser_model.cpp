@@ -43,12 +43,12 @@ void to_cells(const double* __restrict metres, double origin, double cells_per_m
 }
 
 BW_VECTOR_CLONES
-void turn(const double* __restrict theta, float scale, std::size_t count, float* __restrict cosine,
-          float* __restrict sine) {
+void to_directions(const double* __restrict theta, float scale, std::size_t count, float* __restrict cosine,
+                   float* __restrict sine) {
   for (std::size_t i = 0; i < count; ++i) {
-    const SinCos turn = sin_cos(static_cast<float>(theta[i]));
-    cosine[i] = turn.cos * scale;
-    sine[i] = turn.sin * scale;
+    const SinCos sin_and_cos = sin_cos(static_cast<float>(theta[i]));
+    cosine[i] = sin_and_cos.cos * scale;
+    sine[i] = sin_and_cos.sin * scale;
   }
 }
 
@@ -72,10 +72,10 @@ void add_end(const Table table, float x, float y, std::size_t count, const float
 bool goes_through(const LikelihoodField& field, const Vector2& from, const Vector2& to) {
   // Ends about walls, and beams that graze a corner within the error of a good pose, are none.
   constexpr double kBeyond = 0.3;
-  const Vector2 way = to - from;
-  const double length = way.norm() - kBeyond;
+  const Vector2 beam = to - from;
+  const double length = beam.norm() - kBeyond;
   if (!(length > 0.0)) return false;
-  const Vector2 along = way.normalized();
+  const Vector2 along = beam.normalized();
   // No obstacle's cell is nearer than the distance less a cell's diagonal: strides never jump one.
   for (double s = 0.0; s < length;) {
     const Vector2 p = from + s * along;
@@ -104,8 +104,8 @@ void add_log_weights(const LikelihoodField& field, const BeamEnds& ends, const P
     const std::size_t count = std::min(kBlock, particles.size() - first);
     to_cells(&particles.x[first], table.origin_x, table.cells_per_metre, count, block.column.data());
     to_cells(&particles.y[first], table.origin_y, table.cells_per_metre, count, block.row.data());
-    turn(&particles.theta[first], static_cast<float>(table.cells_per_metre), count, block.cos.data(),
-         block.sin.data());
+    to_directions(&particles.theta[first], static_cast<float>(table.cells_per_metre), count, block.cos.data(),
+                  block.sin.data());
     block.sum.fill(0.0F);
     for (std::size_t b = 0; b < ends.size(); ++b) {
       add_end(table, ends.x[b], ends.y[b], count, table.log_p, block.column.data(), block.row.data(),

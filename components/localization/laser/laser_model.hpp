@@ -32,7 +32,7 @@ struct ScanFit {
   static constexpr double kLeastHit = 0.2;  ///< with fewer there is nothing to agree
 };
 
-/// Zeros without beams. Costs some 20 us with 60 beams: their ways through the map are followed.
+/// Zeros without beams. Costs some 20 us with 60 beams: their paths through the map are followed.
 ScanFit scan_fit(const LikelihoodField& field, const BeamEnds& ends, const Pose2& X_MB);
 
 }  // namespace bw::localization

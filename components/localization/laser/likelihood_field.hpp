@@ -1,12 +1,12 @@
-// How likely it is that a laser beam ends at a place of the map: the likelihood field (Thrun, Burgard and
+// How likely it is that a laser beam ends at a position of the map: the likelihood field (Thrun, Burgard and
 // Fox, Probabilistic Robotics, 6.4), as AMCL has it.
 //
 //   p(end) = z_hit exp(-d^2 / (2 sigma_hit^2)) + z_rand / laser_max_range
 //
 // with d the exact distance from the end's cell to the nearest obstacle cell (centre to centre), at most
 // laser_likelihood_max_dist. Where nobody has seen the map, and outside of it, an end says nothing: there p
-// is at least 1 / laser_max_range, as for any place along the beam, which is more than far from everything in
-// the known part and much less than at an obstacle.
+// is at least 1 / laser_max_range, as for any position along the beam, which is more than far from everything
+// in the known part and much less than at an obstacle.
 #pragma once
 
 #include <cstddef>

@@ -138,12 +138,12 @@ void PoseSearch::split_best() {
 // Better by a finer step, as long as a neighbour is better.
 PoseSearch::Scored PoseSearch::refined(Scored from) const {
   double step = options_.step / 2.0;
-  double turn = options_.kAngleStep / 2.0;
-  for (int halvings = 0; halvings < 3; ++halvings, step /= 2.0, turn /= 2.0) {
+  double angle = options_.kAngleStep / 2.0;
+  for (int halvings = 0; halvings < 3; ++halvings, step /= 2.0, angle /= 2.0) {
     for (int moves = 0; moves < 10; ++moves) {
       Scored best = from;
       for (const Pose2& by :
-           {Pose2{step, 0, 0}, {-step, 0, 0}, {0, step, 0}, {0, -step, 0}, {0, 0, turn}, {0, 0, -turn}}) {
+           {Pose2{step, 0, 0}, {-step, 0, 0}, {0, step, 0}, {0, -step, 0}, {0, 0, angle}, {0, 0, -angle}}) {
         const Pose2 X_MB{from.X_MB.x + by.x, from.X_MB.y + by.y, wrap_angle(from.X_MB.theta + by.theta)};
         const std::int32_t there = score(X_MB);
         if (there > best.score) best = {X_MB, there};
@@ -156,7 +156,7 @@ PoseSearch::Scored PoseSearch::refined(Scored from) const {
 }
 
 void PoseSearch::finish() {
-  // Refinement may have changed the order, and led two to the same place.
+  // Refinement may have changed the order, and led two to the same position.
   std::vector<PoseHypothesis> found;
   found.swap(results_);
   std::stable_sort(found.begin(), found.end(),

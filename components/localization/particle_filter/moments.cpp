@@ -33,8 +33,8 @@ SecondMoments second_moments(const double* __restrict x, const double* __restric
   for (std::size_t i = 0; i < count; ++i) {
     const double dx = x[i] - x0;
     const double dy = y[i] - y0;
-    const double turned = theta[i] - theta0;
-    const double dt = turned > kPi ? turned - 2.0 * kPi : turned < -kPi ? turned + 2.0 * kPi : turned;
+    const double rotated = theta[i] - theta0;
+    const double dt = rotated > kPi ? rotated - 2.0 * kPi : rotated < -kPi ? rotated + 2.0 * kPi : rotated;
     xx += weight[i] * dx * dx;
     xy += weight[i] * dx * dy;
     yy += weight[i] * dy * dy;

@@ -8,44 +8,45 @@
 namespace bw::localization {
 namespace {
 
-constexpr std::size_t kMaxPlaces = 2048;  // 2 s at 1 kHz
-constexpr double kCoverage = 0.9;         // of a step that the gyro must have seen
-constexpr double kBiasMemory = 10.0;      // [s] of standing that the bias is averaged over
-constexpr double kMaxVariance = 1e6;      // beyond, it says no more
-constexpr double kShortWay = 0.01;        // [m]: the direction of a shorter way is not known
+constexpr std::size_t kMaxPoses = 2048;  // 2 s at 1 kHz
+constexpr double kCoverage = 0.9;        // of a step that the gyro must have seen
+constexpr double kBiasMemory = 10.0;     // [s] of standing that the bias is averaged over
+constexpr double kMaxVariance = 1e6;     // beyond, it says no more
+constexpr double kShortDistance = 0.01;  // [m]: the direction of a shorter motion is not known
 
 double seconds(Duration d) { return d.to_seconds(); }
 
-Eigen::Matrix3d turned_by(double theta) {
+Eigen::Matrix3d rotation_by(double theta) {
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
   R.topLeftCorner<2, 2>() << std::cos(theta), -std::sin(theta), std::sin(theta), std::cos(theta);
   return R;
 }
 
-// AMCL's model (Thrun, Burgard and Fox, Probabilistic Robotics, 5.4): turn to the way's direction, go, turn
-// to the end's heading, each with a noise of its own. A turn by half a circle is driving backward, not noise.
+// AMCL's model (Thrun, Burgard and Fox, Probabilistic Robotics, 5.4): rotate to its direction, go, rotate
+// to the end's heading, each with a noise of its own. A rotation by half a circle is driving backward, not
+// noise.
 Eigen::Matrix3d amcl_covariance(const Pose2& moved, const ParticleMotionOptions& o) {
-  const double way = moved.position().norm();
-  const double first = way < kShortWay ? 0.0 : std::atan2(moved.y, moved.x);
+  const double distance = moved.position().norm();
+  const double first = distance < kShortDistance ? 0.0 : std::atan2(moved.y, moved.x);
   const double second = wrap_angle(moved.theta - first);
-  const auto size = [](double turn) {
-    const double forward = std::abs(wrap_angle(turn));
+  const auto size = [](double rotation) {
+    const double forward = std::abs(wrap_angle(rotation));
     return std::min(forward, std::numbers::pi - forward);
   };
   const double a = size(first) * size(first);
   const double b = size(second) * size(second);
   const Eigen::Vector3d along(std::cos(first), std::sin(first), 0.0);
-  const Eigen::Vector3d aside(-way * std::sin(first), way * std::cos(first), 1.0);
-  Eigen::Matrix3d C = (o.alpha3 * way * way + o.alpha4 * (a + b)) * along * along.transpose();
-  C += (o.alpha1 * a + o.alpha2 * way * way) * aside * aside.transpose();
-  C(2, 2) += o.alpha1 * b + o.alpha2 * way * way;
+  const Eigen::Vector3d aside(-distance * std::sin(first), distance * std::cos(first), 1.0);
+  Eigen::Matrix3d C = (o.alpha3 * distance * distance + o.alpha4 * (a + b)) * along * along.transpose();
+  C += (o.alpha1 * a + o.alpha2 * distance * distance) * aside * aside.transpose();
+  C(2, 2) += o.alpha1 * b + o.alpha2 * distance * distance;
   return C;
 }
 
 }  // namespace
 
 OdometryTrack::OdometryTrack(const ParticleMotionOptions& options, Duration window)
-    : options_(options), window_(window), places_(kMaxPlaces) {
+    : options_(options), window_(window), poses_(kMaxPoses) {
   restart({});
 }
 
@@ -60,35 +61,35 @@ void OdometryTrack::restart(Time time) {
 
 void OdometryTrack::push(Time time, const Pose2& X_OB) {
   newest_ = {time, X_OB};
-  if (size_ == places_.size()) {
-    first_ = (first_ + 1) % places_.size();
+  if (size_ == poses_.size()) {
+    first_ = (first_ + 1) % poses_.size();
     --size_;
   }
-  places_[(first_ + size_) % places_.size()] = newest_;
+  poses_[(first_ + size_) % poses_.size()] = newest_;
   ++size_;
-  // One place before the window stays, to start the interpolation from.
-  while (size_ > 2 && place(1).time < time - window_) {
-    first_ = (first_ + 1) % places_.size();
+  // One pose before the window stays, to start the interpolation from.
+  while (size_ > 2 && pose(1).time < time - window_) {
+    first_ = (first_ + 1) % poses_.size();
     --size_;
   }
 }
 
-Time OdometryTrack::oldest() const { return std::max(place(0).time, newest_.time - window_); }
+Time OdometryTrack::oldest() const { return std::max(pose(0).time, newest_.time - window_); }
 
 Pose2 OdometryTrack::at(Time time) const {
   if (time >= newest_.time) {
     const double tau = std::min(seconds(time - newest_.time), options_.kExtrapolation);
     return advance_arc(newest_.X_OB, twist_.v * tau, twist_.omega * tau);
   }
-  std::size_t low = 0;  // place(low).time <= time < place(high).time
+  std::size_t low = 0;  // pose(low).time <= time < pose(high).time
   std::size_t high = size_ - 1;
-  if (time <= place(0).time) return place(0).X_OB;
+  if (time <= pose(0).time) return pose(0).X_OB;
   while (high - low > 1) {
     const std::size_t middle = (low + high) / 2;
-    (place(middle).time <= time ? low : high) = middle;
+    (pose(middle).time <= time ? low : high) = middle;
   }
-  const Place& a = place(low);
-  const Place& b = place(high);
+  const TimedPose& a = pose(low);
+  const TimedPose& b = pose(high);
   const double part = seconds(time - a.time) / seconds(b.time - a.time);
   const Pose2 moved = inverse(a.X_OB) * b.X_OB;
   return a.X_OB * Pose2{part * moved.x, part * moved.y, part * moved.theta};
@@ -118,15 +119,15 @@ void OdometryTrack::hold_gyro(Time time) {
   gyro_.covered += dt;
 }
 
-void OdometryTrack::use_gyro(double dt, double& turn, Eigen::Matrix2d& covariance, bool standing) {
+void OdometryTrack::use_gyro(double dt, double& rotation, Eigen::Matrix2d& covariance, bool standing) {
   const double scale = dt / gyro_.covered;
   const double angle = gyro_.angle * scale;
-  if (standing) {  // the wheels know that it does not turn
+  if (standing) {  // the wheels know that it does not rotate
     stood_ = std::min(stood_ + dt, kBiasMemory);
     gyro_bias_ += (angle / dt - gyro_bias_) * std::min(1.0, dt / stood_);
     return;
   }
-  turn = angle - gyro_bias_ * dt;
+  rotation = angle - gyro_bias_ * dt;
   const double bias = options_.gyro_bias_sigma * dt;
   covariance(1, 1) = gyro_.angle_variance * scale * scale + bias * bias;
   covariance(0, 1) = covariance(1, 0) = 0.0;
@@ -140,30 +141,30 @@ bool OdometryTrack::add(const WheelStep& step) {
   const double dt = seconds(span);
   const double part = span == step.over ? 1.0 : dt / seconds(step.over);
   double distance = step.distance * part;
-  double turn = step.turn * part;
+  double rotation = step.rotation * part;
   Eigen::Matrix2d covariance = step.covariance * std::max(part, part * part);  // what is extended is guessed
   hold_gyro(step.time);
-  if (gyro_.covered >= kCoverage * dt) use_gyro(dt, turn, covariance, distance == 0.0 && turn == 0.0);
+  if (gyro_.covered >= kCoverage * dt) use_gyro(dt, rotation, covariance, distance == 0.0 && rotation == 0.0);
   gyro_.angle = gyro_.angle_variance = gyro_.covered = 0.0;
 
-  const ArcStep arc = arc_step(behind_.X_BB, distance, turn);
+  const ArcStep arc = arc_step(behind_.X_BB, distance, rotation);
   Eigen::Matrix3d C = arc.by_pose * behind_.covariance * arc.by_pose.transpose();
   if (options_.noise == MotionNoise::declared || options_.noise == MotionNoise::both)
     C += arc.by_step * covariance * arc.by_step.transpose();
   if (options_.noise == MotionNoise::per_step) {
     const Eigen::Vector3d sigma(options_.kStepAlong, options_.kStepAcross, options_.kStepHeading);
-    const Eigen::Matrix3d R = turned_by(arc.pose.theta);
+    const Eigen::Matrix3d R = rotation_by(arc.pose.theta);
     C += R * sigma.cwiseAbs2().asDiagonal() * R.transpose();
   }
   C.diagonal() += dt * Eigen::Vector3d(options_.walk, options_.walk, options_.heading_walk).cwiseAbs2();
   behind_.covariance = C.cwiseMin(kMaxVariance).cwiseMax(-kMaxVariance);
   behind_.X_BB = arc.pose;
-  behind_.way += std::abs(distance);
-  behind_.turn += std::abs(turn);
+  behind_.distance += std::abs(distance);
+  behind_.rotation += std::abs(rotation);
 
   odometer_ += std::abs(distance);
-  twist_ = {distance / dt, turn / dt};
-  push(step.time, advance_arc(newest_.X_OB, distance, turn));
+  twist_ = {distance / dt, rotation / dt};
+  push(step.time, advance_arc(newest_.X_OB, distance, rotation));
   last_wheel_ = step.time;
   return true;
 }

@@ -1,7 +1,7 @@
-// The way by wheels and gyro: where the base was in an odometry frame O during the last seconds, and how far
+// The path by wheels and gyro: where the base was in an odometry frame O during the last seconds, and how far
 // the particles are behind. Late measurements need the first, sampling the second.
 //
-// The gyro, where it covers a step, gives the step's turn; its bias is learnt while the wheels stand.
+// The gyro, where it covers a step, gives the step's rotation; its bias is learnt while the wheels stand.
 #pragma once
 
 #include <vector>
@@ -17,8 +17,8 @@ namespace bw::localization {
 struct UncertainMotion {
   Pose2 X_BB;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  double way = 0.0;   ///< [m], forward and backward both counted
-  double turn = 0.0;  ///< [rad], either way
+  double distance = 0.0;  ///< [m], forward and backward both counted
+  double rotation = 0.0;  ///< [rad], either way
 };
 
 class OdometryTrack {
@@ -53,7 +53,7 @@ class OdometryTrack {
   void follow();
 
  private:
-  struct Place {
+  struct TimedPose {
     Time time;
     Pose2 X_OB;
   };
@@ -69,16 +69,16 @@ class OdometryTrack {
 
   void advance_unknown(Time time);
   void push(Time time, const Pose2& X_OB);
-  const Place& place(std::size_t i) const { return places_[(first_ + i) % places_.size()]; }
+  const TimedPose& pose(std::size_t i) const { return poses_[(first_ + i) % poses_.size()]; }
   void hold_gyro(Time time);
-  void use_gyro(double dt, double& turn, Eigen::Matrix2d& covariance, bool standing);
+  void use_gyro(double dt, double& rotation, Eigen::Matrix2d& covariance, bool standing);
 
   ParticleMotionOptions options_;
   Duration window_;
-  std::vector<Place> places_;  ///< circular
+  std::vector<TimedPose> poses_;  ///< circular
   std::size_t first_ = 0;
   std::size_t size_ = 0;
-  Place newest_;
+  TimedPose newest_;
   Time last_wheel_;
   Twist2 twist_;
   double odometer_ = 0.0;

@@ -10,7 +10,7 @@
 namespace bw::localization {
 namespace {
 
-constexpr double kKnownHeading = 0.0625;  // (0.25 rad)^2: a heading from a way is worth taking
+constexpr double kKnownHeading = 0.0625;  // (0.25 rad)^2: a heading from a path is worth taking
 constexpr double kLeastVariance = 1e-9;   // that an answer claims: a set may be one particle many times
 constexpr double kAnyHeading = 0.1;       // share of injected particles that look anywhere, without one
 
@@ -43,7 +43,7 @@ bool ParticleFilter::start_at(const Pose2& X_MB, const Eigen::Matrix3d& covarian
   return true;
 }
 
-// From particles that have their places.
+// From particles that have their positions.
 void ParticleFilter::begin(Time time, bool anywhere) {
   std::fill(particles_.weight.begin(), particles_.weight.end(), 1.0 / static_cast<double>(particles_.size()));
   track_.restart(time);
@@ -117,7 +117,9 @@ Outcome ParticleFilter::use(const WheelStep& step) {
   if (!track_.add(step)) return {Verdict::unusable};
   source_watch(step.source).note_compared(step.time, true, 0.0, 0);
   const UncertainMotion behind = track_.behind();
-  if (behind.way >= options_.motion.longest_way || behind.turn >= options_.motion.kLongestTurn) follow();
+  if (behind.distance >= options_.motion.longest_distance ||
+      behind.rotation >= options_.motion.kLongestRotation)
+    follow();
   return {};
 }
 
@@ -179,7 +181,7 @@ bool ParticleFilter::take_over(const Comparison& c, int source, Time time) {
     return false;
   const double spread = run.fit.spread();
   const double heading_variance = c.position && spread > 0.0 ? std::max(c.R(0, 0), c.R(1, 1)) / spread : 1e9;
-  const double from_way = wrap_angle(run.fit.angle() + X_OB_.theta);
+  const double from_path = wrap_angle(run.fit.angle() + X_OB_.theta);
   ParticleSet draws;
   draws.resize(particles_.size());
   Eigen::Matrix3d C = Eigen::Matrix3d::Zero();
@@ -192,7 +194,7 @@ bool ParticleFilter::take_over(const Comparison& c, int source, Time time) {
     if (c.heading) {
       theta = wrap_angle(*c.heading + draws.theta[i]);
     } else if (heading_variance < kKnownHeading) {
-      theta = wrap_angle(from_way + draws.theta[i]);
+      theta = wrap_angle(from_path + draws.theta[i]);
     } else if (random_.uniform() < kAnyHeading) {
       theta = random_.uniform(-std::numbers::pi, std::numbers::pi);
     }

@@ -48,9 +48,9 @@ bool ParticleFilter::start_anywhere(Time time) {
   if (free_cells_.empty()) return false;
   particles_.resize(static_cast<std::size_t>(options_.count.max_particles));
   for (std::size_t i = 0; i < particles_.size(); ++i) {
-    const double place = random_.uniform() * static_cast<double>(free_cells_.size());
+    const double index = random_.uniform() * static_cast<double>(free_cells_.size());
     const auto cell =
-        static_cast<int>(free_cells_[std::min(static_cast<std::size_t>(place), free_cells_.size() - 1)]);
+        static_cast<int>(free_cells_[std::min(static_cast<std::size_t>(index), free_cells_.size() - 1)]);
     const Vector2 centre = map_.center(cell % map_.width, cell / map_.width);
     particles_.x[i] = centre.x() + map_.resolution * (random_.uniform() - 0.5);
     particles_.y[i] = centre.y() + map_.resolution * (random_.uniform() - 0.5);

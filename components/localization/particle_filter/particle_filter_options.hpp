@@ -66,9 +66,9 @@ struct ParticleMotionOptions {
   /// [s] gyro readings further apart are not integrated
   static constexpr double kGyroGap = 0.1;
   /// [m] particles move at the latest after so long a way; 0: every step (set by code alone)
-  double longest_way = 0.25;
+  double longest_distance = 0.25;
   /// [rad] particles move at the latest after so large a turn; 0: every step
-  static constexpr double kLongestTurn = 0.2;
+  static constexpr double kLongestRotation = 0.2;
   /// [s] after the last wheel step the velocity holds this long; then the motion is unknown
   static constexpr double kExtrapolation = 0.5;
   /// [m/s] standard deviation of the speed while wheels are silent

@@ -23,11 +23,11 @@ void move_all(double* __restrict x, double* __restrict y, double* __restrict the
     const double c = n2[i];
     const double dx = m.x + m.xx * a;
     const double dy = m.y + m.yx * a + m.yy * b;
-    const double turn = m.theta + m.tx * a + m.ty * b + m.tt * c;
+    const double rotation = m.theta + m.tx * a + m.ty * b + m.tt * c;
     const SinCos t = sin_cos(static_cast<float>(theta[i]));
     x[i] += t.cos * dx - t.sin * dy;
     y[i] += t.sin * dx + t.cos * dy;
-    theta[i] = fast_wrap(theta[i] + turn);
+    theta[i] = fast_wrap(theta[i] + rotation);
   }
 }
 

@@ -29,7 +29,7 @@ class Recovery {
   /// Goes on with the search, or begins one with this sweep when one is needed. X_OB: by odometry when the
   /// sweep was taken. Poses of the base at that moment, best first, on the sweep that finishes a search.
   std::vector<PoseHypothesis> search(const BeamEnds& ends, const Pose2& X_OB, Time time);
-  /// The estimate is one place again.
+  /// The estimate is one position again.
   void found(Time time) {
     if (searching_since_) settled_since_ = time;
     searching_since_.reset();

@@ -8,9 +8,9 @@ namespace {
 
 constexpr double kMemory = 50.0;  // measurements that the smoothed figures look back on
 constexpr double kMaxNis = 100.0;
-constexpr int kMisfits = 3;         // in a row begin a new run
-constexpr double kWaySlack = 0.1;   // wheels may measure a way this much short
-constexpr double kTurnSlack = 0.1;  // [rad] and a turn
+constexpr int kMisfits = 3;             // in a row begin a new run
+constexpr double kDistanceSlack = 0.1;  // wheels may measure a distance this much short
+constexpr double kRotationSlack = 0.1;  // [rad] and a rotation
 
 }  // namespace
 
@@ -60,14 +60,14 @@ const RejectionRun& SourceWatch::note_rejection(const Comparison& c, const Pose2
   bool fits = run_.count > 0;
   if (fits && c.position) {
     const double noise = std::sqrt(2.0 * gate * std::max(c.R(0, 0), c.R(1, 1)));
-    const double way = (point - run_.point).norm();
+    const double distance = (point - run_.point).norm();
     const double said = (*c.position - run_.position).norm();
-    fits = std::abs(said - way) <= kWaySlack * way + noise;
+    fits = std::abs(said - distance) <= kDistanceSlack * distance + noise;
   }
   if (fits && c.heading) {
     const double noise = std::sqrt(2.0 * gate * c.R(c.size - 1, c.size - 1));
-    const double turned = wrap_angle(X_OB.theta - run_.heading_O);
-    fits = std::abs(wrap_angle(*c.heading - run_.heading - turned)) <= noise + kTurnSlack;
+    const double rotation = wrap_angle(X_OB.theta - run_.heading_O);
+    fits = std::abs(wrap_angle(*c.heading - run_.heading - rotation)) <= noise + kRotationSlack;
   }
   if (!fits && run_.count > 0 && ++run_.misfits < kMisfits) return run_;
   if (!fits) {

@@ -14,7 +14,7 @@
 namespace bw::localization {
 
 /// Rejections of a source in a row that agree with each other: positions as far apart as the odometry says,
-/// headings that turned as it did.
+/// headings that rotated as it did.
 struct RejectionRun {
   int count = 0;
   int misfits = 0;  ///< rejections in a row that do not agree with the run

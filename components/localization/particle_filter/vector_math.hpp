@@ -19,17 +19,17 @@ struct SinCos {
   constexpr float kSecond = 4.83751296997e-4F;
   constexpr float kThird = 7.54978995489e-8F;
   const float exact = angle * 0.636619772F;
-  const auto turn = static_cast<std::int32_t>(exact + (exact < 0.0F ? -0.5F : 0.5F));
-  const auto quarters = static_cast<float>(turn);
+  const auto quarter = static_cast<std::int32_t>(exact + (exact < 0.0F ? -0.5F : 0.5F));
+  const auto quarters = static_cast<float>(quarter);
   const float r = ((angle - quarters * kFirst) - quarters * kSecond) - quarters * kThird;
   const float q = r * r;
   // Taylor series; the first term left out is below 4e-8 for |r| <= pi/4.
   const float s = r + r * q * (-1.0F / 6 + q * (1.0F / 120 + q * (-1.0F / 5040 + q * (1.0F / 362880))));
   const float c = 1.0F + q * (-0.5F + q * (1.0F / 24 + q * (-1.0F / 720 + q * (1.0F / 40320))));
-  const bool swapped = (turn & 1) != 0;
+  const bool swapped = (quarter & 1) != 0;
   const float sine = swapped ? c : s;
   const float cosine = swapped ? s : c;
-  return {(turn & 2) != 0 ? -sine : sine, ((turn + 1) & 2) != 0 ? -cosine : cosine};
+  return {(quarter & 2) != 0 ? -sine : sine, ((quarter + 1) & 2) != 0 ? -cosine : cosine};
 }
 
 /// Natural logarithm of a normal number above 0; absolute error below 1e-6.
@@ -61,8 +61,8 @@ struct SinCos {
 /// Any angle below 1e6 rad to [-pi, pi].
 [[gnu::always_inline]] inline double fast_wrap(double angle) {
   constexpr double kRounder = 6755399441055744.0;  // 1.5 * 2^52
-  const double turns = (angle * (0.5 * std::numbers::inv_pi) + kRounder) - kRounder;
-  return angle - turns * (2.0 * std::numbers::pi);
+  const double revolutions = (angle * (0.5 * std::numbers::inv_pi) + kRounder) - kRounder;
+  return angle - revolutions * (2.0 * std::numbers::pi);
 }
 
 }  // namespace bw::localization

@@ -99,7 +99,7 @@ class MapSaverComponent final : public Component {
     const auto url = path_of_url(request.map_url());
     if (!url) throw std::runtime_error("'" + request.map_url() + "' is no path and no file:// URL");
     std::filesystem::create_directories(folder_);
-    const std::filesystem::path yaml = place_of_map(folder_, *url);
+    const std::filesystem::path yaml = path_of_map(folder_, *url);
     const MapShades shades{
         .mode = chosen("map_mode", request.map_mode(), MapMode::trinary),
         .free_thresh = threshold(request.free_thresh(), options_.free_thresh_default),

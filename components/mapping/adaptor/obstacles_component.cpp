@@ -49,7 +49,7 @@ class ObstaclesComponent final : public Component {
     }
   }
 
-  /// Silent until there is a map and a place in it: whoever reads obstacles watches their age.
+  /// Silent until there is a map and a position in it: whoever reads obstacles watches their age.
   void extract(Time now) {
     if (map_frame_.empty()) return;
     const std::optional<Pose2> X_OM = transforms_->lookup_planar(odom_frame_, map_frame_);

@@ -20,15 +20,15 @@ void walk_cells(const Vector2& a, const Vector2& b, Visit&& visit) {
   int row = static_cast<int>(std::floor(a.y()));
   const int steps = std::abs(static_cast<int>(std::floor(b.x())) - column) +
                     std::abs(static_cast<int>(std::floor(b.y())) - row);
-  const Vector2 way = b - a;
-  const int right = way.x() > 0.0 ? 1 : -1;
-  const int up = way.y() > 0.0 ? 1 : -1;
-  const double per_column = way.x() != 0.0 ? 1.0 / std::abs(way.x()) : kNever;
-  const double per_row = way.y() != 0.0 ? 1.0 / std::abs(way.y()) : kNever;
+  const Vector2 across = b - a;
+  const int right = across.x() > 0.0 ? 1 : -1;
+  const int up = across.y() > 0.0 ? 1 : -1;
+  const double per_column = across.x() != 0.0 ? 1.0 / std::abs(across.x()) : kNever;
+  const double per_row = across.y() != 0.0 ? 1.0 / std::abs(across.y()) : kNever;
   double leave_column = kNever;
   double leave_row = kNever;
-  if (way.x() != 0.0) leave_column = (right > 0 ? column + 1 - a.x() : a.x() - column) * per_column;
-  if (way.y() != 0.0) leave_row = (up > 0 ? row + 1 - a.y() : a.y() - row) * per_row;
+  if (across.x() != 0.0) leave_column = (right > 0 ? column + 1 - a.x() : a.x() - column) * per_column;
+  if (across.y() != 0.0) leave_row = (up > 0 ? row + 1 - a.y() : a.y() - row) * per_row;
   for (int step = 0; step < steps; ++step) {
     if (leave_column <= leave_row) {
       if (!visit(column, row, leave_column)) return;

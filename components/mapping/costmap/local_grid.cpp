@@ -177,8 +177,8 @@ void LocalGrid::draw(const LaserSweep& sweep) {
     if (i == 0) first = now;
     previous = now;
   }
-  const double turn = (static_cast<double>(count) + 0.5) * std::abs(sweep.angle_increment);
-  if (turn >= 2.0 * std::numbers::pi) link(previous.point, first.point, std::min(previous.mark, first.mark));
+  const double angle = (static_cast<double>(count) + 0.5) * std::abs(sweep.angle_increment);
+  if (angle >= 2.0 * std::numbers::pi) link(previous.point, first.point, std::min(previous.mark, first.mark));
 }
 
 void LocalGrid::cross(const Vector2& from, const Vector2& unit, double range, bool hit) {
@@ -200,10 +200,10 @@ void LocalGrid::hit(const Vector2& point, Mark mark) {
 void LocalGrid::link(const Vector2& a, const Vector2& b, Mark mark) {
   if (mark == kNothing || (b - a).squaredNorm() > options_.link_gap * options_.link_gap) return;
   const Vector2 from = to_cells(a);
-  const Vector2 way = to_cells(b) - from;
+  const Vector2 across = to_cells(b) - from;
   double enter = 0.0;
-  walk_cells(from, from + way, [&](int column, int row, double leave) {
-    add_point(column, row, from + (enter + leave) / 2.0 * way, mark);
+  walk_cells(from, from + across, [&](int column, int row, double leave) {
+    add_point(column, row, from + (enter + leave) / 2.0 * across, mark);
     enter = leave;
     return true;
   });

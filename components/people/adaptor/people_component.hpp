@@ -38,7 +38,7 @@ class PeopleComponent final : public Component {
   void look_at(std::size_t laser, const sensor_msgs::msg::LaserScan& scan, const Pose2& X_OB);
   void hear();
   void publish(std::vector<TrackedPerson> people, Time stamp);
-  /// What people walk round, in odom; nothing when the obstacles are too old or their place is unknown.
+  /// What people walk round, in odom; nothing when the obstacles are too old or their position is unknown.
   StaticObstacles walls_at(Time time) const;
   void report_health(const Tick& tick);
 

@@ -31,10 +31,10 @@ void place_moving(const LaserSweep& sweep, Beams& beams) {
         scanner_at(sweep, beam) * Vector2(static_cast<double>(beams.ranges[i]) * direction(angle));
   }
   const auto [first, last] = std::pair(scanner_at(sweep, 0).theta, scanner_at(sweep, count - 1).theta);
-  const double turned = wrap_angle(last - first);
+  const double rotation = wrap_angle(last - first);
   const double width = std::abs(sweep.angle_increment) * static_cast<double>(count - 1);
   beams.angle_min = backwards ? last + sweep.angle_min - width : first + sweep.angle_min;
-  beams.angle_increment = (width + (backwards ? -turned : turned)) / static_cast<double>(count - 1);
+  beams.angle_increment = (width + (backwards ? -rotation : rotation)) / static_cast<double>(count - 1);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace bw::people {
 /// which says anything.
 SweepFault fault_for_people(const LaserSweep& sweep);
 
-/// The beams by rising angle, whichever way the scanner turns.
+/// The beams by rising angle, whichever way the scanner rotates.
 struct Beams {
   double angle_min = 0.0;  ///< in O [rad]
   double angle_increment = 0.0;

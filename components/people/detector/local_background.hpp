@@ -17,7 +17,7 @@ class LocalBackground {
  public:
   explicit LocalBackground(const BackgroundOptions& options);
 
-  /// Learns from one sweep. `people`: places in O that belong to tracked people. A clock that goes back or
+  /// Learns from one sweep. `people`: positions in O that belong to tracked people. A clock that goes back or
   /// stands still changes nothing.
   void learn(const Beams& beams, Time time, std::span<const Vector2> people);
 

@@ -1,4 +1,4 @@
-// Which places lie on or near the walls of a map.
+// Which positions lie on or near the walls of a map.
 #pragma once
 
 #include <cstdint>

@@ -51,22 +51,22 @@ class Reader {
 
   void read_header(std::string_view text) {
     const std::vector<std::string_view> names = cells_of(text);
-    place_.fill(-1);
+    index_.fill(-1);
     for (std::size_t i = 0; i < names.size(); ++i) {
       const auto known = std::ranges::find(kNames, names[i]);
       const std::string here = "column " + std::to_string(i + 1) + ", " + excerpt(names[i]) + ", ";
       if (known == kNames.end())
         fail(here + "is unknown: columns are time or stamp, id, x, y, frame, visible");
-      int& place = place_[static_cast<std::size_t>(known - kNames.begin())];
-      if (place >= 0) fail(here + "is there twice");
-      place = static_cast<int>(i);
+      int& index = index_[static_cast<std::size_t>(known - kNames.begin())];
+      if (index >= 0) fail(here + "is there twice");
+      index = static_cast<int>(i);
     }
     for (const Column needed : {kId, kX, kY, kFrame}) {
-      if (place_[needed] < 0) fail("column '" + std::string(kNames[needed]) + "' is missing");
+      if (index_[needed] < 0) fail("column '" + std::string(kNames[needed]) + "' is missing");
     }
-    if ((place_[kTime] < 0) == (place_[kStamp] < 0))
+    if ((index_[kTime] < 0) == (index_[kStamp] < 0))
       fail("one of the columns 'time' (since the first scan) and 'stamp' must be there, and not both");
-    labels_.has_stamps = place_[kStamp] >= 0;
+    labels_.has_stamps = index_[kStamp] >= 0;
     columns_ = names.size();
   }
 
@@ -74,7 +74,7 @@ class Reader {
     if (cells.size() != columns_) {
       fail(std::to_string(cells.size()) + " values where the header names " + std::to_string(columns_));
     }
-    const auto text = [&](Column column) { return cells[static_cast<std::size_t>(place_[column])]; };
+    const auto text = [&](Column column) { return cells[static_cast<std::size_t>(index_[column])]; };
     PersonLabel label;
     label.line = line_;
     label.time = number(labels_.has_stamps ? kStamp : kTime, cells);
@@ -82,7 +82,7 @@ class Reader {
     label.position = {number(kX, cells), number(kY, cells)};
     label.frame = text(kFrame);
     if (label.frame.empty()) fail(kFrame, "names no frame");
-    if (place_[kVisible] >= 0) label.is_visible = whole(kVisible, cells, 0, 1) != 0.0;
+    if (index_[kVisible] >= 0) label.is_visible = whole(kVisible, cells, 0, 1) != 0.0;
     keep(std::move(label));
   }
 
@@ -98,7 +98,7 @@ class Reader {
   }
 
   double number(Column column, const std::vector<std::string_view>& cells) const {
-    const std::string_view cell = cells[static_cast<std::size_t>(place_[column])];
+    const std::string_view cell = cells[static_cast<std::size_t>(index_[column])];
     try {
       return to_number(cell, labels_.file, line_);
     } catch (const std::runtime_error&) {
@@ -109,7 +109,7 @@ class Reader {
   double whole(Column column, const std::vector<std::string_view>& cells, double least, double most) const {
     const double value = number(column, cells);
     if (value != std::floor(value) || value < least || value > most) {
-      fail(column, excerpt(cells[static_cast<std::size_t>(place_[column])]) +
+      fail(column, excerpt(cells[static_cast<std::size_t>(index_[column])]) +
                        " must be a whole number from " + std::to_string(static_cast<std::uint64_t>(least)) +
                        " to " + std::to_string(static_cast<std::uint64_t>(most)));
     }
@@ -119,7 +119,7 @@ class Reader {
   std::istream& input_;
   PersonLabels labels_;
   std::size_t line_ = 1;
-  std::array<int, kColumns> place_{};  ///< of each column in a row; -1: it is not there
+  std::array<int, kColumns> index_{};  ///< of each column in a row; -1: it is not there
   std::size_t columns_ = 0;
   std::set<std::uint32_t> at_this_time_;
 };

@@ -19,7 +19,7 @@ struct PersonLabel {
   std::uint32_t id = 0;
   Vector2 position{0.0, 0.0};  ///< in `frame` [m]
   std::string frame;
-  bool is_visible = true;  ///< false: hidden, the place is guessed, and nobody has to see them
+  bool is_visible = true;  ///< false: hidden, the position is guessed, and nobody has to see them
 };
 
 struct PersonLabels {

@@ -31,9 +31,9 @@ struct PredictionOptions {
   /// [m/s] below this speed a velocity shows no heading and no turn
   static constexpr double kWalkingSpeed = 0.2;
   /// [s] time over which the turn rate is averaged
-  static constexpr double kTurnWindow = 0.8;
+  static constexpr double kTurnRateWindow = 0.8;
   /// [s] a turn dies out within this time (time constant)
-  static constexpr double kTurnMemory = 0.6;
+  static constexpr double kTurnRateMemory = 0.6;
   /// how fast the size of predicted ellipses follows what people do; 0: fixed (set by code alone)
   double calibration_rate = 0.3;
   SocialForceOptions forces;

@@ -16,20 +16,20 @@ bool is_finite_person(const TrackedPerson& p) {
 }
 
 /// Displacement after t [s] with a turn rate that dies out. The heading turns by
-/// omega tau (1 - exp(-t / tau)); the way is summed up in small chords.
+/// omega tau (1 - exp(-t / tau)); the displacement is summed up in small chords.
 Vector2 arc(const Vector2& velocity, double omega, double tau, double t) {
   constexpr double kChord = 0.05;  // [s]
   const double speed = velocity.norm();
   const double heading = std::atan2(velocity.y(), velocity.x());
   const int chords = std::max(1, static_cast<int>(std::ceil(t / kChord)));
   const double dt = t / chords;
-  Vector2 way(0.0, 0.0);
+  Vector2 displacement(0.0, 0.0);
   for (int i = 0; i < chords; ++i) {
     const double middle = (i + 0.5) * dt;
     const double angle = heading + omega * tau * (1.0 - std::exp(-middle / tau));
-    way += speed * dt * Vector2(std::cos(angle), std::sin(angle));
+    displacement += speed * dt * Vector2(std::cos(angle), std::sin(angle));
   }
-  return way;
+  return displacement;
 }
 
 }  // namespace
@@ -54,24 +54,24 @@ Eigen::Matrix2d predicted_covariance(const TrackedPerson& person, double t,
 
 double Predictor::turn_rate(const TrackedPerson& person, Time now) {
   if (person.velocity.norm() < options_.kWalkingSpeed) {
-    turns_.erase(person.id);
+    headings_.erase(person.id);
     return 0.0;
   }
   const double heading = std::atan2(person.velocity.y(), person.velocity.x());
-  const auto [found, is_new] = turns_.try_emplace(person.id, Turn{now, heading, 0.0});
-  Turn& turn = found->second;
-  const double dt = (now - turn.time).to_seconds();
-  if (is_new || dt <= 0.0) return turn.rate;
-  const double share = 1.0 - std::exp(-dt / options_.kTurnWindow);
-  turn.rate += share * (wrap_angle(heading - turn.heading) / dt - turn.rate);
-  turn.heading = heading;
-  turn.time = now;
-  return turn.rate;
+  const auto [found, is_new] = headings_.try_emplace(person.id, HeadingMemory{now, heading, 0.0});
+  HeadingMemory& memory = found->second;
+  const double dt = (now - memory.time).to_seconds();
+  if (is_new || dt <= 0.0) return memory.rate;
+  const double share = 1.0 - std::exp(-dt / options_.kTurnRateWindow);
+  memory.rate += share * (wrap_angle(heading - memory.heading) / dt - memory.rate);
+  memory.heading = heading;
+  memory.time = now;
+  return memory.rate;
 }
 
 void Predictor::predict(std::vector<TrackedPerson>& people, const StaticObstacles& walls, Time now) {
   calibration_.forget(now - kForget);
-  std::erase_if(turns_, [&](const auto& turn) { return now - turn.second.time > kForget; });
+  std::erase_if(headings_, [&](const auto& memory) { return now - memory.second.time > kForget; });
   std::vector<std::vector<Vector2>> walked;
   if (options_.model == PredictionModel::social_force) {
     std::vector<TrackedPerson> sound;
@@ -88,10 +88,10 @@ void Predictor::predict(std::vector<TrackedPerson>& people, const StaticObstacle
     const double omega = options_.model == PredictionModel::constant_turn_rate ? turn_rate(person, now) : 0.0;
     for (int k = 1; k <= steps; ++k) {
       const double t = k * options_.step;
-      Vector2 place = person.position + t * person.velocity;
-      if (!walked.empty()) place = walked[static_cast<std::size_t>(k - 1)][index];
-      if (omega != 0.0) place = person.position + arc(person.velocity, omega, options_.kTurnMemory, t);
-      predictions.push_back({t, place, predicted_covariance(person, t, options_)});
+      Vector2 position = person.position + t * person.velocity;
+      if (!walked.empty()) position = walked[static_cast<std::size_t>(k - 1)][index];
+      if (omega != 0.0) position = person.position + arc(person.velocity, omega, options_.kTurnRateMemory, t);
+      predictions.push_back({t, position, predicted_covariance(person, t, options_)});
     }
     ++index;
     calibration_.observe(person.id, now, person.position, person.covariance.topLeftCorner<2, 2>());

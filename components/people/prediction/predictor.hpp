@@ -1,7 +1,7 @@
 // Where people will be: positions with covariance over the planner's horizon (README.md 7.8).
 //
 //   mean        constant velocity:   p + v t
-//               constant turn rate:  an arc whose turn rate dies out, omega(t) = omega exp(-t / turn_memory)
+//               constant turn rate:  an arc whose turn rate dies out, omega exp(-t / kTurnRateMemory)
 //               social force:        everybody wants to keep their velocity, and is pushed by the others
 //                                    and by walls
 //   covariance  J P J^T + R(heading) diag(spread_along, spread_across) R^T t^3 / 3,   J = [I  t I]
@@ -34,7 +34,7 @@ class Predictor {
   void predict(std::vector<TrackedPerson>& people, const StaticObstacles& walls, Time now);
 
  private:
-  struct Turn {
+  struct HeadingMemory {
     Time time;
     double heading = 0.0;  ///< [rad]
     double rate = 0.0;     ///< [rad/s], averaged
@@ -44,7 +44,7 @@ class Predictor {
 
   PredictionOptions options_;
   Calibration calibration_;
-  std::map<std::uint32_t, Turn> turns_;
+  std::map<std::uint32_t, HeadingMemory> headings_;
 };
 
 /// Covariance of the position `t` [s] ahead.

@@ -101,7 +101,7 @@ void ScoreKeeper::wait(double now, const TruePerson& person, Memory& memory) con
 
 void ScoreKeeper::look(double now, const TruePerson& person, Memory& memory) {
   if (!memory.first_sight) memory.velocity = person.velocity;
-  if ((person.velocity - memory.velocity).norm() > 0.05) memory.turned = now;
+  if ((person.velocity - memory.velocity).norm() > 0.05) memory.velocity_changed = now;
   memory.velocity = person.velocity;
   const bool plain = person.counted && person.unoccluded;
   if (plain) {
@@ -157,7 +157,7 @@ void ScoreKeeper::judge_velocity(double now, const TruePerson& person, const Tra
   const double error = (track.velocity - person.velocity).squaredNorm();
   ++score_.velocities;
   score_.velocity_square += error;
-  const bool steady = now - memory.turned > 0.5;
+  const bool steady = now - memory.velocity_changed > 0.5;
   if (on_followed) on_followed(person, track, steady);
   if (!steady) return;
   ++score_.steady;

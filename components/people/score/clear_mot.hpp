@@ -80,7 +80,7 @@ class ScoreKeeper {
   static constexpr double kPatience = 0.5;  ///< who was never confirmed counts after this time [s]
 
   /// The next sweep, at `now` [s]. `counts_if_false`: whether a track that matches nobody is held against the
-  /// tracker, by its place.
+  /// tracker, by its position.
   void add(double now, const std::vector<TruePerson>& truth, const std::vector<TrackedPerson>& tracks,
            const std::function<bool(const Vector2&)>& counts_if_false);
 
@@ -111,7 +111,7 @@ class ScoreKeeper {
     double waited_walking = 0.0;  ///< of it, while walking [s]
     bool walked = false;          ///< in plain view, before they were matched
     Vector2 velocity{0.0, 0.0};
-    double turned = -1e9;  ///< last time the velocity changed at more than 0.5 m/s^2
+    double velocity_changed = -1e9;  ///< last time the velocity changed at more than 0.5 m/s^2
   };
 
   void match(const std::vector<TruePerson>& truth);

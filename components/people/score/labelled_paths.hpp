@@ -24,7 +24,7 @@ class LabelledPaths {
   LabelledPaths(const std::vector<LabelledInstant>& instants, double longest_step);
 
   /// Everybody known at `time`. Who is counted, or in plain view, is so at both labels around it; velocities
-  /// are those of the way from one to the other.
+  /// are those of the path from one to the other.
   std::vector<TruePerson> at(double time) const;
   std::optional<TruePerson> at(double time, std::uint32_t id) const;
 

@@ -1,5 +1,5 @@
 // How a run of the tracker agrees with one stretch of labels: CLEAR MOT at the labelled instants, every error
-// by its time and place, what was only thought possible, and how far and how surely predictions came true.
+// by its time and position, what was only thought possible, and how far and how surely predictions came true.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct StretchOptions {
   double longest_step = 1.0;  ///< between labels of somebody who walks straight on [s]
   double sweep_distance =
       0.25;  ///< of the sweep nearest to a labelled instant at most [s]; else there were no tracks
-  double label_deviation = 0.0;  ///< of places of labels, added to predicted ellipses [m]
+  double label_deviation = 0.0;  ///< of positions of labels, added to predicted ellipses [m]
   double horizon_step = 0.8;     ///< predictions are looked at so far ahead, twice as far, ... [s]
 };
 
@@ -54,7 +54,7 @@ struct HorizonScore {
 
 struct StretchScore {
   /// At the labelled instants; times to confirm at every sweep between the first and the last, with people
-  /// between their labels where the way from one to the next leads.
+  /// between their labels where the path from one to the next leads.
   Score clear_mot;
   long instants = 0;
   long possible_at_misses = 0;       ///< misses where a track says that a person may be there

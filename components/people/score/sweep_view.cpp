@@ -6,11 +6,11 @@
 namespace bw::people {
 namespace {
 
-constexpr double kBody = 0.35;  // where legs and noise may be, round the place of a person [m]
+constexpr double kBody = 0.35;  // where legs and noise may be, round the position of a person [m]
 constexpr int kPlain = 3;       // beams
 
 /// What becomes of one beam on its way to a person.
-enum class Way { ends_at_them, passes, hidden_by_somebody, barred, unknown };
+enum class BeamOutcome { ends_at_them, passes, hidden_by_somebody, barred, unknown };
 
 class View {
  public:
@@ -22,7 +22,7 @@ class View {
     return beam >= 0.0 && beam <= last;
   }
 
-  /// Beams whose way leads within `reach` [m] of the person.
+  /// Beams whose path leads within `reach` [m] of the person.
   template <class Look>
   void each_beam(const TruePerson& person, double reach, const Look& look) const {
     const Vector2 to = person.position - sweep_.X_FL.position();
@@ -31,7 +31,7 @@ class View {
     const double count = std::max(std::floor(half / std::abs(sweep_.angle_increment)), 1.0);
     const double last = static_cast<double>(sweep_.ranges.size() - 1);
     for (double beam = std::max(middle - count, 0.0); beam <= std::min(middle + count, last); ++beam)
-      look(way_of(static_cast<std::size_t>(beam), person, to.norm()));
+      look(outcome_of(static_cast<std::size_t>(beam), person, to.norm()));
   }
 
   double bearing_of(const TruePerson& person) const {
@@ -40,26 +40,26 @@ class View {
   }
 
  private:
-  /// Not rounded; the turn that lies nearest to the middle of the sweep.
+  /// Not rounded; the revolution that lies nearest to the middle of the sweep.
   double beam_at(double bearing) const {
     const double half = 0.5 * static_cast<double>(sweep_.ranges.size() - 1) * sweep_.angle_increment;
     return (half + wrap_angle(bearing - sweep_.angle_min - half)) / sweep_.angle_increment;
   }
 
-  Way way_of(std::size_t beam, const TruePerson& person, double distance) const {
+  BeamOutcome outcome_of(std::size_t beam, const TruePerson& person, double distance) const {
     const float range = sweep_.ranges[beam];
     const BeamKind kind = kind_of(range, sweep_);
-    if (kind == BeamKind::unknown) return Way::unknown;
-    if (kind == BeamKind::free) return Way::passes;
+    if (kind == BeamKind::unknown) return BeamOutcome::unknown;
+    if (kind == BeamKind::free) return BeamOutcome::passes;
     const double angle =
         sweep_.X_FL.theta + sweep_.angle_min + static_cast<double>(beam) * sweep_.angle_increment;
     const Vector2 end = sweep_.X_FL.position() + static_cast<double>(range) * direction(angle);
-    if ((end - person.position).norm() <= kBody) return Way::ends_at_them;
-    if (static_cast<double>(range) > distance) return Way::passes;
+    if ((end - person.position).norm() <= kBody) return BeamOutcome::ends_at_them;
+    if (static_cast<double>(range) > distance) return BeamOutcome::passes;
     const bool is_somebody = std::ranges::any_of(people_, [&](const TruePerson& other) {
       return other.id != person.id && (end - other.position).norm() <= kBody;
     });
-    return is_somebody ? Way::hidden_by_somebody : Way::barred;
+    return is_somebody ? BeamOutcome::hidden_by_somebody : BeamOutcome::barred;
   }
 
   const LaserSweep& sweep_;
@@ -76,10 +76,11 @@ void look_for(const LaserSweep& sweep, double range, std::vector<TruePerson>& pe
     int at_them = 0;
     int barred = 0;
     int open = 0;
-    view.each_beam(person, kBody, [&](Way way) { at_them += way == Way::ends_at_them ? 1 : 0; });
-    view.each_beam(person, 0.0, [&](Way way) {
-      barred += way == Way::barred ? 1 : 0;
-      open += way != Way::barred && way != Way::unknown ? 1 : 0;
+    view.each_beam(person, kBody,
+                   [&](BeamOutcome outcome) { at_them += outcome == BeamOutcome::ends_at_them ? 1 : 0; });
+    view.each_beam(person, 0.0, [&](BeamOutcome outcome) {
+      barred += outcome == BeamOutcome::barred ? 1 : 0;
+      open += outcome != BeamOutcome::barred && outcome != BeamOutcome::unknown ? 1 : 0;
     });
     person.counted = is_in_view && (open > barred || at_them >= kPlain);
     person.unoccluded = person.counted && at_them >= kPlain;

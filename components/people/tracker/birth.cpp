@@ -54,7 +54,8 @@ std::optional<Birth> birth_of_pair(const ClusterTrack& a, const ClusterTrack& b,
   if (const auto walk = walk_of_pair(a, b, options)) {
     const double score = std::min(leg_share(a), leg_share(b));
     return Birth{BirthKind::walking_pair,
-                 gait_of(CommonSightings(a, b), ClusterTrack::kRemembered).doubt() - 0.5 * score, walk->way};
+                 gait_of(CommonSightings(a, b), ClusterTrack::kRemembered).doubt() - 0.5 * score,
+                 walk->distance};
   }
   return birth_of_standing_pair(a, b, options);
 }
@@ -63,7 +64,7 @@ std::optional<Birth> birth_of_single(const ClusterTrack& cluster, const BirthOpt
   const double score =
       mean_of(cluster, cluster.remembered(), [](const Sighting& s) { return s.human_score(); });
   if (const auto walk = walk_of_single(cluster, options))
-    return Birth{BirthKind::walking_single, 1.0 - score, walk->way};
+    return Birth{BirthKind::walking_single, 1.0 - score, walk->distance};
   if (cluster.id != 0 && cluster.existence.log_odds() >= 0.0)
     return Birth{BirthKind::standing_single, 1.0 - score + kStandingDoubt, 0.0};
   return std::nullopt;

@@ -20,8 +20,8 @@ enum class BirthKind {
 
 struct Birth {
   BirthKind kind = BirthKind::walking_pair;
-  double doubt = 0.0;  ///< ranks those that want the same leg: less first [m]
-  double way = 0.0;    ///< walked so far [m]
+  double doubt = 0.0;     ///< ranks those that want the same leg: less first [m]
+  double distance = 0.0;  ///< walked so far [m]
 
   bool stands() const { return kind != BirthKind::walking_pair && kind != BirthKind::walking_single; }
 };

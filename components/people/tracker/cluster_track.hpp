@@ -59,7 +59,7 @@ class ClusterTrack {
   FootShifts foot_shifts;
   Existence existence;   ///< as a leg, or somebody whole
   std::uint32_t id = 0;  ///< as a possible person; 0: not told of
-  /// What was at its place before, when that was looked up last [s], and where.
+  /// What was at its position before, when that was looked up last [s], and where.
   PastSweeps::Past past = PastSweeps::Past::unknown;
   double looked_up = -1e9;
   Vector2 looked_up_at{0.0, 0.0};

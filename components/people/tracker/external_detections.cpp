@@ -57,14 +57,14 @@ double believed(double belief, double reliability, const ExternalDetectionOption
   return 1.0 - (1.0 - belief) * (1.0 - options.trust * reliability);
 }
 
-NearLegs legs_near(const Vector2& place, double now, const std::vector<ClusterTrack>& clusters,
+NearLegs legs_near(const Vector2& position, double now, const std::vector<ClusterTrack>& clusters,
                    const ExternalDetectionOptions& options) {
   std::vector<int> near;
   const double reach = 2.0 * options.position_deviation;
   for (std::size_t i = 0; i < clusters.size(); ++i) {
     const Sighting& last = clusters[i].last();
     if (now - last.time <= options.kSeen && last.human_score() >= options.kLegScore &&
-        (clusters[i].position() - place).norm() <= reach)
+        (clusters[i].position() - position).norm() <= reach)
       near.push_back(static_cast<int>(i));
   }
   const auto at = [&](int i) -> const ClusterTrack& { return clusters[static_cast<std::size_t>(i)]; };
@@ -75,7 +75,7 @@ NearLegs legs_near(const Vector2& place, double now, const std::vector<ClusterTr
       const ClusterTrack& a = at(near[k]);
       const ClusterTrack& b = at(near[l]);
       if ((a.position() - b.position()).norm() > BirthOptions::kStandingSeparation) continue;
-      const double miss = ((a.position() + b.position()) / 2.0 - place).norm();
+      const double miss = ((a.position() + b.position()) / 2.0 - position).norm();
       if (miss >= least || CommonSightings(a, b).count == 0) continue;
       least = miss;
       best = {near[k], near[l]};
@@ -83,7 +83,7 @@ NearLegs legs_near(const Vector2& place, double now, const std::vector<ClusterTr
   }
   if (best.first >= 0) return best;
   for (const int i : near) {
-    const double miss = (at(i).position() - place).norm();
+    const double miss = (at(i).position() - position).norm();
     if (miss >= least) continue;
     least = miss;
     best = {i, -1};

@@ -17,9 +17,9 @@ namespace bw::people {
 /// only the more reliable.
 std::vector<HeardPerson> without_doubles(std::vector<HeardPerson> heard, double apart);
 
-/// Index of the track that each is, -1: somebody new. The places are of `late` [s] before the tracks' time,
-/// known to `deviation` [m]; all at once, for the least sum of squared distances in standard deviations,
-/// within association.gate and association.reach.
+/// Index of the track that each is, -1: somebody new. The positions are of `late` [s] before the tracks'
+/// time, known to `deviation` [m]; all at once, for the least sum of squared distances in standard
+/// deviations, within association.gate and association.reach.
 std::vector<int> match_heard(const std::vector<HeardPerson>& heard, const std::vector<PersonTrack>& people,
                              double late, double deviation, const AssociationOptions& options);
 
@@ -27,19 +27,19 @@ std::vector<int> match_heard(const std::vector<HeardPerson>& heard, const std::v
 double believed(double belief, double reliability, const ExternalDetectionOptions& options);
 
 /// Clusters seen within `seen` before `now` [s], two deviations away at most, that may be the legs of
-/// somebody told to be at `place`; -1: none. Two whom one sweep showed come before one.
+/// somebody told to be at `position`; -1: none. Two whom one sweep showed come before one.
 struct NearLegs {
   int first = -1;
   int second = -1;
 };
-NearLegs legs_near(const Vector2& place, double now, const std::vector<ClusterTrack>& clusters,
+NearLegs legs_near(const Vector2& position, double now, const std::vector<ClusterTrack>& clusters,
                    const ExternalDetectionOptions& options);
 
 /// Somebody new of whom nothing is known but this, by a laser not seen for as long as anybody is remembered;
-/// `deviation` of the place [m].
+/// `deviation` of the position [m].
 PersonTrack person_of(const HeardPerson& heard, double deviation, Time now, const TrackerOptions& options);
 
-/// Corrects by a place that was told.
+/// Corrects by a position that was told.
 void correct_by(const HeardPerson& heard, double deviation, const TrackerOptions& options,
                 PersonTrack& person);
 

@@ -23,7 +23,7 @@ struct CommonSightings {
 
 struct Gait {
   double widest = 0.0;         ///< from leg to leg [m]
-  double misfit = 0.0;         ///< of the middle to a straight way at one speed, root mean square [m]
+  double misfit = 0.0;         ///< of the middle to a straight path at one speed, root mean square [m]
   Vector2 velocity{0.0, 0.0};  ///< along that way [m/s]
   Vector2 start{0.0, 0.0};     ///< on that way, at `since`
   double since = 0.0;          ///< the first of the sightings [s]

@@ -19,7 +19,7 @@ HeadingFilter::HeadingFilter(const Eigen::Vector4d& motion, const Eigen::Matrix4
   choose_form(options);
 }
 
-HeadingFilter::HeadingFilter(const SeenPlace& first, const SeenPlace& second, double dt,
+HeadingFilter::HeadingFilter(const SeenPosition& first, const SeenPosition& second, double dt,
                              const HeadingOptions& options) {
   x_.head<2>() = second.position;
   x_.segment<2>(2) = (second.position - first.position) / dt;
@@ -42,18 +42,18 @@ void HeadingFilter::predict(double dt, const HeadingOptions& options) {
     return;
   }
   const HeadingNoise noise{options.heading_noise, options.acceleration,
-                           options.turn_rate ? options.turn_noise : 0.0};
+                           options.turn_rate ? options.turn_rate_noise : 0.0};
   const int steps = options.turn_rate ? static_cast<int>(std::ceil(dt / kLongestStep)) : 1;
   const double step = dt / steps;
   for (int i = 0; i < steps; ++i) {
-    const HeadingCovariance F = walked_jacobian(x_, step, options.turn_memory);
+    const HeadingCovariance F = walked_jacobian(x_, step, options.turn_rate_memory);
     P_ = (F * P_ * F.transpose() + walked_noise(x_, step, noise)).eval();
-    x_ = walked(x_, step, options.turn_memory);
+    x_ = walked(x_, step, options.turn_rate_memory);
   }
   x_[2] = wrap_angle(x_[2]);
 }
 
-void HeadingFilter::correct(const SeenPlace& seen, const HeadingOptions& options) {
+void HeadingFilter::correct(const SeenPosition& seen, const HeadingOptions& options) {
   const Eigen::Matrix2d S = P_.topLeftCorner<2, 2>() + seen.covariance;
   const Eigen::Matrix<double, 5, 2> PHt = P_.leftCols<2>();
   const Eigen::Matrix<double, 5, 2> K = S.ldlt().solve(PHt.transpose()).transpose();
@@ -72,7 +72,8 @@ void HeadingFilter::choose_form(const HeadingOptions& options) {
     const Eigen::Matrix<double, 5, 4> J = with_heading_jacobian(m);
     P_ = (J * P_.topLeftCorner<4, 4>() * J.transpose()).eval();
     // A turn that nobody has seen yet is as likely as those who walk turn.
-    if (options.turn_rate) P_(4, 4) = options.turn_noise * options.turn_noise * options.turn_memory / 2.0;
+    if (options.turn_rate)
+      P_(4, 4) = options.turn_rate_noise * options.turn_rate_noise * options.turn_rate_memory / 2.0;
     x_ = with_heading(m);
     walks_ = true;
   } else if (walks_ && speed < options.walking_speed) {

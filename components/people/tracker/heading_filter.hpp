@@ -1,4 +1,4 @@
-// The extended Kalman filter of theory.md 7.3: position, heading and speed of somebody, from places where
+// The extended Kalman filter of theory.md 7.3: position, heading and speed of somebody, from positions where
 // they were seen. While they stand, or nearly, a velocity shows no heading: then the state is (x, y, vx, vy).
 //
 // The covariance goes from velocities to a heading by the derivative, and back by the exact moments, as the
@@ -29,9 +29,9 @@ struct HeadingOptions {
   /// estimate the turn rate as a fifth state (set by code alone)
   bool turn_rate = false;
   /// [rad/s^2/sqrt(Hz)] how fast the turn rate changes (set by code alone)
-  double turn_noise = 1.0;
-  /// [s] a turn dies out within this time (time constant) (set by code alone)
-  double turn_memory = 0.6;
+  double turn_rate_noise = 1.0;
+  /// [s] a turn rate dies out within this time (time constant) (set by code alone)
+  double turn_rate_memory = 0.6;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -47,16 +47,17 @@ struct HeadingOptions {
   }
 };
 
-/// A place where somebody was seen.
-struct SeenPlace {
+/// A position where somebody was seen.
+struct SeenPosition {
   Vector2 position{0.0, 0.0};                                       ///< [m]
   Eigen::Matrix2d covariance = 0.01 * Eigen::Matrix2d::Identity();  ///< positive definite [m^2]
 };
 
 class HeadingFilter {
  public:
-  /// Seen at two places, `dt` > 0 [s] apart.
-  HeadingFilter(const SeenPlace& first, const SeenPlace& second, double dt, const HeadingOptions& options);
+  /// Seen at two positions, `dt` > 0 [s] apart.
+  HeadingFilter(const SeenPosition& first, const SeenPosition& second, double dt,
+                const HeadingOptions& options);
 
   /// Known as (x, y, vx, vy) with its covariance.
   HeadingFilter(const Eigen::Vector4d& motion, const Eigen::Matrix4d& covariance,
@@ -64,7 +65,7 @@ class HeadingFilter {
 
   void predict(double dt, const HeadingOptions& options);  ///< dt >= 0 [s]
 
-  void correct(const SeenPlace& seen, const HeadingOptions& options);
+  void correct(const SeenPosition& seen, const HeadingOptions& options);
 
   Vector2 position() const { return x_.head<2>(); }
   Vector2 velocity() const;

@@ -17,22 +17,22 @@ Sinc sinc(double a) {
   return {value, (std::cos(a) - value) / a};
 }
 
-/// Radians turned over dt for each rad/s at its start.
-double turn_time(double dt, double memory) { return -memory * std::expm1(-dt / memory); }
+/// Radians rotated over dt for each rad/s at its start.
+double turn_rate_time(double dt, double memory) { return -memory * std::expm1(-dt / memory); }
 
 }  // namespace
 
-HeadingState walked(const HeadingState& x, double dt, double turn_memory) {
-  const double turn = x[4] * turn_time(dt, turn_memory);
+HeadingState walked(const HeadingState& x, double dt, double turn_rate_memory) {
+  const double rotation = x[4] * turn_rate_time(dt, turn_rate_memory);
   HeadingState after = x;
-  after.head<2>() += x[3] * dt * sinc(turn / 2.0).value * direction(x[2] + turn / 2.0);
-  after[2] += turn;
-  after[4] *= std::exp(-dt / turn_memory);
+  after.head<2>() += x[3] * dt * sinc(rotation / 2.0).value * direction(x[2] + rotation / 2.0);
+  after[2] += rotation;
+  after[4] *= std::exp(-dt / turn_rate_memory);
   return after;
 }
 
-HeadingCovariance walked_jacobian(const HeadingState& x, double dt, double turn_memory) {
-  const double k = turn_time(dt, turn_memory);
+HeadingCovariance walked_jacobian(const HeadingState& x, double dt, double turn_rate_memory) {
+  const double k = turn_rate_time(dt, turn_rate_memory);
   const double half = x[4] * k / 2.0;
   const Sinc chord = sinc(half);
   const Vector2 along = direction(x[2] + half);
@@ -42,18 +42,18 @@ HeadingCovariance walked_jacobian(const HeadingState& x, double dt, double turn_
   F.block<2, 1>(0, 3) = dt * chord.value * along;
   F.block<2, 1>(0, 4) = x[3] * dt * k / 2.0 * (chord.slope * along + chord.value * left);
   F(2, 4) = k;
-  F(4, 4) = std::exp(-dt / turn_memory);
+  F(4, 4) = std::exp(-dt / turn_rate_memory);
   return F;
 }
 
 HeadingCovariance walked_noise(const HeadingState& x, double dt, const HeadingNoise& noise) {
   const double a = noise.acceleration * noise.acceleration;
   const double h = noise.heading * noise.heading;
-  const double w = noise.turn * noise.turn;
+  const double w = noise.turn_rate * noise.turn_rate;
   const double v = x[3];
   const double dt2 = dt * dt;
   const double dt3 = dt2 * dt;
-  // Along and across the way: integrated once, twice, thrice.
+  // Along and across the path: integrated once, twice, thrice.
   HeadingCovariance Q = HeadingCovariance::Zero();
   Q(0, 0) = a * dt3 / 3.0;
   Q(0, 3) = Q(3, 0) = a * dt2 / 2.0;
@@ -85,7 +85,7 @@ Eigen::Matrix4d covariance_without_heading(const HeadingState& x, const HeadingC
   const double square = v * v + P(3, 3);
   const double twice = std::exp(-2.0 * s) * (square - 4.0 * b * b);
   const double once = std::exp(-s / 2.0);
-  // Along and across the way, about the velocity (v, 0) that is reported.
+  // Along and across the path, about the velocity (v, 0) that is reported.
   Eigen::Matrix2d V;
   V(0, 0) = (square + twice) / 2.0 - 2.0 * v * v * once + v * v;
   V(1, 1) = (square - twice) / 2.0;

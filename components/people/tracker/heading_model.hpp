@@ -2,9 +2,9 @@
 // the same motion without a heading, as (x, y, vx, vy). Lengths [m], angles [rad], in a frame that does not
 // turn.
 //
-//   over dt:  turn = omega k,  k = T (1 - exp(-dt / T))      a turn dies out with the memory T
-//             (x, y) += v dt sinc(turn / 2) (cos, sin)(theta + turn / 2)      the chord of the arc
-//             theta += turn,  omega *= exp(-dt / T)
+//   over dt:  rotation = omega k,  k = T (1 - exp(-dt / T))      a turn rate dies out with the memory T
+//             (x, y) += v dt sinc(rotation / 2) (cos, sin)(theta + rotation / 2)      the chord of the arc
+//             theta += rotation,  omega *= exp(-dt / T)
 //
 // With omega = 0, known for sure, these are the four states of the dissertation.
 #pragma once
@@ -22,19 +22,19 @@ using HeadingCovariance = Eigen::Matrix<double, 5, 5>;
 struct HeadingNoise {
   double heading = 0.0;       ///< on theta' [rad/s/sqrt(Hz)]
   double acceleration = 0.0;  ///< on v' [m/s^2/sqrt(Hz)]
-  double turn = 0.0;          ///< on omega' [rad/s^2/sqrt(Hz)]
+  double turn_rate = 0.0;     ///< on omega' [rad/s^2/sqrt(Hz)]
 };
 
 /// Where the state is after dt [s]; the heading is not wrapped.
-HeadingState walked(const HeadingState& x, double dt, double turn_memory);
-HeadingCovariance walked_jacobian(const HeadingState& x, double dt, double turn_memory);
+HeadingState walked(const HeadingState& x, double dt, double turn_rate_memory);
+HeadingCovariance walked_jacobian(const HeadingState& x, double dt, double turn_rate_memory);
 /// Covariance that the noise adds over a dt [s] in which the heading hardly turns.
 HeadingCovariance walked_noise(const HeadingState& x, double dt, const HeadingNoise& noise);
 
 /// (x, y, vx, vy) of a heading state.
 Eigen::Vector4d without_heading(const HeadingState& x);
 /// Its mean square error when x errs by P: the moments of v (cos, sin)(theta) of a Gaussian, exactly. To
-/// first order J P J^T; but that would know who stops exactly across their way, whatever the heading is
+/// first order J P J^T; but that would know who stops exactly across their path, whatever the heading is
 /// worth, and let who has no heading be anywhere.
 Eigen::Matrix4d covariance_without_heading(const HeadingState& x, const HeadingCovariance& P);
 

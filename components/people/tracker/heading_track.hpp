@@ -19,8 +19,8 @@ struct SeenLegs {
 /// The point between the legs. Both seen: half way. One: as far from it as `expected`, the gait before it saw
 /// this sweep, says the leg swings, and as unsure as that; not the gait's own point between the legs, whose
 /// errors last from sweep to sweep and would be counted again with each.
-std::optional<SeenPlace> seen_middle(const SeenLegs& seen, const Walker& expected,
-                                     const HeadingOptions& options);
+std::optional<SeenPosition> seen_middle(const SeenLegs& seen, const Walker& expected,
+                                        const HeadingOptions& options);
 
 /// The filter of somebody new: from the first two common sightings of two legs and what followed; of a single
 /// leg, or when both were seen together but once, from the gait.

@@ -72,7 +72,7 @@ std::vector<Pairing> best_of(const std::vector<Pairing>& pairings, std::size_t c
   return best;
 }
 
-/// How far the legs' way starts from where the person was going when they were last sure to be theirs [m].
+/// How far the legs' path starts from where the person was going when they were last sure to be theirs [m].
 double miss_of(const PersonTrack& person, const Leg& a, const Leg& b,
                const LegReassociationOptions& options) {
   const Gait gait = gait_of(CommonSightings(*a.track, *b.track), options.kSightings);

@@ -14,7 +14,7 @@ constexpr double kPace = 0.07;      // [m] less than a wall is thick
 constexpr double kNear = 0.75;      // [m]
 constexpr double kBody = 0.2;       // [m] the middle of somebody comes no nearer to a wall
 
-Vector2 turned(const Vector2& v, double angle) {
+Vector2 rotated(const Vector2& v, double angle) {
   const Vector2 a = direction(angle);
   return {a.x() * v.x() - a.y() * v.y(), a.y() * v.x() + a.x() * v.y()};
 }
@@ -22,10 +22,10 @@ Vector2 turned(const Vector2& v, double angle) {
 /// Whether a wall stands on the way, or so near beyond it that nobody gets there.
 bool is_barred(const Vector2& from, const Vector2& step, const DetectionSet& sweep, const SeenWalls& walls,
                double margin) {
-  const double way = step.norm();
-  if (!(way > 0.0)) return false;
-  for (double s = kPace; s < way + kBody + kPace; s += kPace) {
-    const Vector2 ahead = from + s / way * step;
+  const double distance = step.norm();
+  if (!(distance > 0.0)) return false;
+  for (double s = kPace; s < distance + kBody + kPace; s += kPace) {
+    const Vector2 ahead = from + s / distance * step;
     if (walls.contains(ahead) && !seen_empty(sweep, ahead, margin)) return true;
   }
   return false;
@@ -46,17 +46,17 @@ OcclusionMemory::OcclusionMemory(const Vector2& position, const Vector2& velocit
 void OcclusionMemory::walk(double dt, double looked, const DetectionSet& sweep, const SeenWalls& walls,
                            Random& random, const HiddenOptions& options) {
   const double wander = options.kWander * std::sqrt(dt);
-  const double anew = 1.0 - std::exp(-dt / options.kKeepsWay);
+  const double anew = 1.0 - std::exp(-dt / options.kKeepsCourse);
   const double missed = std::exp(-looked / options.kOverlooked);
   double sum = 0.0;
   for (Guess& guess : guesses_) {
     const bool elsewhere = random.uniform() < anew;
-    guess.velocity = turned(guess.velocity, elsewhere ? random.uniform(-std::numbers::pi, std::numbers::pi)
-                                                      : wander * random.normal());
+    guess.velocity = rotated(guess.velocity, elsewhere ? random.uniform(-std::numbers::pi, std::numbers::pi)
+                                                       : wander * random.normal());
     const Vector2 step = dt * guess.velocity;
     if (is_barred(guess.position, step, sweep, walls, options.kMargin)) {
       const double side = random.uniform() < 0.5 ? 1.0 : -1.0;
-      guess.velocity = turned(guess.velocity, side * random.uniform(0.3, 1.0) * std::numbers::pi);
+      guess.velocity = rotated(guess.velocity, side * random.uniform(0.3, 1.0) * std::numbers::pi);
     } else {
       guess.position += step;
     }
@@ -100,20 +100,20 @@ OcclusionMemory::Moments OcclusionMemory::moments() const {
   return m;
 }
 
-double OcclusionMemory::chance_near(const Vector2& place) const {
+double OcclusionMemory::chance_near(const Vector2& position) const {
   double sum = 0.0;
   for (const Guess& guess : guesses_)
-    if ((guess.position - place).squaredNorm() < kNear * kNear) sum += guess.weight;
+    if ((guess.position - position).squaredNorm() < kNear * kNear) sum += guess.weight;
   return existence_ * sum;
 }
 
-double OcclusionMemory::density(const Vector2& place, std::optional<Vector2> velocity, double ago,
+double OcclusionMemory::density(const Vector2& position, std::optional<Vector2> velocity, double ago,
                                 const HiddenOptions& options) const {
-  const double p = options.place_kernel * options.place_kernel;
+  const double p = options.position_kernel * options.position_kernel;
   const double v = options.kVelocityKernel * options.kVelocityKernel;
   double sum = 0.0;
   for (const Guess& guess : guesses_) {
-    const double square = (place - guess.position + ago * guess.velocity).squaredNorm() / p +
+    const double square = (position - guess.position + ago * guess.velocity).squaredNorm() / p +
                           (velocity.value_or(guess.velocity) - guess.velocity).squaredNorm() / v;
     sum += guess.weight * std::exp(-square / 2.0);
   }

@@ -26,11 +26,11 @@ class OcclusionMemory {
   void walk(double dt, double looked, const DetectionSet& sweep, const SeenWalls& walls, Random& random,
             const HiddenOptions& options);
 
-  /// How probably they are still somewhere about: it falls where places are seen empty. 0 to 1.
+  /// How probably they are still somewhere about: it falls where positions are seen empty. 0 to 1.
   double existence() const { return existence_; }
 
-  /// How probably they are within 0.75 m of `place`.
-  double chance_near(const Vector2& place) const;
+  /// How probably they are within 0.75 m of `position`.
+  double chance_near(const Vector2& position) const;
 
   /// Mean of the guesses as (x, y, vx, vy), and their covariance.
   struct Moments {
@@ -39,9 +39,9 @@ class OcclusionMemory {
   };
   Moments moments() const;
 
-  /// How probably they were at `place` `ago` [s], going at `velocity` if that is known, as a density
+  /// How probably they were at `position` `ago` [s], going at `velocity` if that is known, as a density
   /// [1 / (m^2 (m/s)^2)].
-  double density(const Vector2& place, std::optional<Vector2> velocity, double ago,
+  double density(const Vector2& position, std::optional<Vector2> velocity, double ago,
                  const HiddenOptions& options) const;
 
  private:

@@ -36,7 +36,7 @@ struct PersonTrack {
   PastState settled;     ///< when their legs last went like those of one person
   bool strayed = false;  ///< since `free` furniture was followed in their place: nobody is believed for them
   double score = 0.5;    ///< smoothed human score of what was seen
-  FootShifts foot_shifts;      ///< of the way from leg to leg
+  FootShifts foot_shifts;      ///< of the offset from leg to leg
   Existence existence;         ///< how sure it is that they are a person
   double empty_seconds = 0.0;  ///< for so long the laser saw through where they should be [s]
   double heard = 0.0;          ///< how sure other detectors are that they are there, 0 to 1

@@ -30,15 +30,15 @@ void follow_hidden(PersonTrack& person, const Surroundings& about, bool known, R
 }
 
 std::optional<PersonTrack> take_who_stood(std::vector<PersonTrack>& people, std::vector<PersonTrack>& lost,
-                                          const Vector2& place) {
+                                          const Vector2& position) {
   std::vector<PersonTrack>* from = nullptr;
   std::size_t nearest = 0;
-  double least = HiddenOptions::kSamePlace;
+  double least = HiddenOptions::kSamePosition;
   for (std::vector<PersonTrack>* among : {&people, &lost}) {
     for (std::size_t i = 0; i < among->size(); ++i) {
       const PersonTrack& person = (*among)[i];
       if (!person.hidden || !person.stood()) continue;
-      const double away = (person.sure.position - place).norm();
+      const double away = (person.sure.position - position).norm();
       if (away >= least) continue;
       least = away;
       from = among;
@@ -70,9 +70,9 @@ std::optional<PersonTrack> take_returned(std::vector<PersonTrack>& people, std::
     }
   }
   if (from == nullptr) return std::nullopt;
-  const auto place = from->begin() + static_cast<std::ptrdiff_t>(likeliest);
-  const PersonTrack person = *place;
-  from->erase(place);
+  const auto found = from->begin() + static_cast<std::ptrdiff_t>(likeliest);
+  const PersonTrack person = *found;
+  from->erase(found);
   return person;
 }
 

@@ -27,9 +27,9 @@ struct Surroundings {
 void follow_hidden(PersonTrack& person, const Surroundings& about, bool known, Random& random,
                    const TrackerOptions& options);
 
-/// Takes out whoever hidden stood at `place` when seen last; nothing when nobody did.
+/// Takes out whoever hidden stood at `position` when seen last; nothing when nobody did.
 std::optional<PersonTrack> take_who_stood(std::vector<PersonTrack>& people, std::vector<PersonTrack>& lost,
-                                          const Vector2& place);
+                                          const Vector2& position);
 
 /// Takes out whoever hidden, of `people` and `lost`, most likely is who was seen first as `appeared` and goes
 /// at `velocity`, if that is known; nothing when somebody new is more likely than each of them.

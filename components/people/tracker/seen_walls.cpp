@@ -9,7 +9,7 @@ namespace {
 constexpr double kCell = 0.1;         // [m]
 constexpr float kWallAge = 1.0F;      // [s] what stands so long is a wall
 constexpr float kPause = 0.5F;        // [s] within which the next beam must end there
-constexpr float kRemembered = 30.0F;  // [s] for so long odometry is good enough to remember places
+constexpr float kRemembered = 30.0F;  // [s] for so long odometry is good enough to remember positions
 constexpr double kPerson = 0.5;       // [m] about people nothing is a wall
 constexpr double kGap = 0.3;          // [m] between points of neighbouring beams, nobody fits through
 constexpr double kFarthest = 1e6;     // [m]

@@ -15,7 +15,7 @@ class SeenWalls {
  public:
   SeenWalls();
 
-  /// One sweep in S at `now` [s, from the tracker's own origin], with the places of people.
+  /// One sweep in S at `now` [s, from the tracker's own origin], with the positions of people.
   void add(const DetectionSet& sweep, double now, std::span<const Vector2> people);
 
   /// Whether beams ended here for a second on end, half a minute ago at most.

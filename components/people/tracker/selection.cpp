@@ -8,7 +8,7 @@
 namespace bw::people {
 namespace {
 
-constexpr double kLargestVariance = 2.0;  // [m^2] of a place that says anything, both axes together
+constexpr double kLargestVariance = 2.0;  // [m^2] of a position that says anything, both axes together
 
 bool usable(const Detection& d, const AssociationOptions& options) {
   const Eigen::Matrix2d& c = d.covariance;

@@ -14,10 +14,10 @@ constexpr int kFewest = 40;       // points
 constexpr int kBaseline = 2;      // beams to either side that make a line
 constexpr double kBreak = 0.25;   // [m] of range between them: a step is no surface
 constexpr double kFar = 1.0;      // [m] from a sweep: another is compared with
-constexpr double kTurned = 2.5;   // [rad]
+constexpr double kRotated = 2.5;  // [rad]
 constexpr double kAtRest = 1e-6;  // [m, rad]
 
-Vector2 turned_left(const Vector2& v) { return {-v.y(), v.x()}; }
+Vector2 rotated_left(const Vector2& v) { return {-v.y(), v.x()}; }
 
 float longest(const std::vector<float>& ranges) {
   float most = 0.0F;
@@ -33,11 +33,11 @@ Vector2 SweepAlignment::remembered_point(std::size_t beam) const {
 
 /// The line through the beams around the one that looks towards `p_O`.
 bool SweepAlignment::surface_towards(const Vector2& p_O, Surface& surface) const {
-  constexpr double kTurn = 2.0 * std::numbers::pi;
-  const Vector2 way = p_O - sensor_;
-  double turn = std::atan2(way.y(), way.x()) - angle_min_;
-  turn -= kTurn * std::floor(turn / kTurn);
-  const double beam = std::round(turn / angle_increment_);
+  constexpr double kTwoPi = 2.0 * std::numbers::pi;
+  const Vector2 offset = p_O - sensor_;
+  double angle = std::atan2(offset.y(), offset.x()) - angle_min_;
+  angle -= kTwoPi * std::floor(angle / kTwoPi);
+  const double beam = std::round(angle / angle_increment_);
   if (!(beam >= kBaseline && beam + kBaseline < static_cast<double>(ranges_.size()))) return false;
   const auto middle = static_cast<std::size_t>(beam);
   for (std::size_t i = middle - kBaseline; i <= middle + kBaseline; ++i) {
@@ -52,20 +52,20 @@ bool SweepAlignment::surface_towards(const Vector2& p_O, Surface& surface) const
       (remembered_point(middle + 1) - remembered_point(middle - 1));  // least squares over even beams
   const double length = along.norm();
   if (length < 1e-6) return false;
-  surface.normal = turned_left(along / length);
+  surface.normal = rotated_left(along / length);
   return true;
 }
 
-// Normal equations of the points' distances from the surfaces they look at, at `correction` (x, y, turn about
-// the sensor); what is farther than `reach` has no weight (Tukey).
+// Normal equations of the points' distances from the surfaces they look at, at `correction` (x, y, rotation
+// about the sensor); what is farther than `reach` has no weight (Tukey).
 SweepAlignment::Equations SweepAlignment::compare(const DetectionSet& sweep, const View& view,
                                                   const Eigen::Vector3d& correction, double reach) const {
-  const Eigen::Vector3d prior(1.0 / (options_.kWaySigma * options_.kWaySigma),
-                              1.0 / (options_.kWaySigma * options_.kWaySigma),
-                              1.0 / (options_.kTurnSigma * options_.kTurnSigma));
+  const Eigen::Vector3d prior(1.0 / (options_.kTranslationSigma * options_.kTranslationSigma),
+                              1.0 / (options_.kTranslationSigma * options_.kTranslationSigma),
+                              1.0 / (options_.kRotationSigma * options_.kRotationSigma));
   const double weight = 1.0 / (1.2 * options_.kRangeNoise * options_.kRangeNoise);  // the line errs as well
   const float no_return = longest(sweep.free_ranges);
-  const Vector2 turn = direction(correction(2));
+  const Vector2 rotation = direction(correction(2));
   Equations sum;
   sum.information = prior.asDiagonal();
   sum.pull = -(prior.array() * correction.array()).matrix();
@@ -74,7 +74,8 @@ SweepAlignment::Equations SweepAlignment::compare(const DetectionSet& sweep, con
     if (!(range > 0.0F && range < no_return)) continue;
     const double angle = view.angle_min + static_cast<double>(i) * sweep.angle_increment;
     const Vector2 beam = static_cast<double>(range) * direction(angle);
-    const Vector2 arm(turn.x() * beam.x() - turn.y() * beam.y(), turn.y() * beam.x() + turn.x() * beam.y());
+    const Vector2 arm(rotation.x() * beam.x() - rotation.y() * beam.y(),
+                      rotation.y() * beam.x() + rotation.x() * beam.y());
     const Vector2 point = view.sensor + arm + correction.head<2>();
     Surface surface;
     if (!surface_towards(point, surface)) continue;
@@ -84,7 +85,7 @@ SweepAlignment::Equations SweepAlignment::compare(const DetectionSet& sweep, con
     if (std::abs(share) >= 1.0) continue;
     ++sum.fitting;
     const double trust = (1.0 - share * share) * (1.0 - share * share) * weight;
-    const Eigen::Vector3d J(surface.normal.x(), surface.normal.y(), surface.normal.dot(turned_left(arm)));
+    const Eigen::Vector3d J(surface.normal.x(), surface.normal.y(), surface.normal.dot(rotated_left(arm)));
     sum.information += trust * J * J.transpose();
     sum.pull += trust * miss * J;
   }
@@ -123,7 +124,7 @@ Pose2 SweepAlignment::align(const DetectionSet& sweep) {
   const Pose2 X_PO = inverse(X_RO_) * X_RO;
   X_RO_ = X_RO;
   const bool far = (X_RO_ * sweep.sensor - sensor_).norm() > kFar ||
-                   std::abs(wrap_angle(sweep.angle_min + X_RO_.theta - angle_min_)) > kTurned;
+                   std::abs(wrap_angle(sweep.angle_min + X_RO_.theta - angle_min_)) > kRotated;
   if (far) remember(sweep);
   return X_PO;
 }

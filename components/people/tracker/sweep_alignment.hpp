@@ -1,5 +1,6 @@
-// How odometry erred from one sweep to the next, by what stands: wheels of 0.4 % mismatch and some noise turn
-// the world by several milliradians per sweep, which at 5 m reads as a velocity of 0.3 m/s of everything.
+// How odometry erred from one sweep to the next, by what stands: wheels of 0.4 % mismatch and some noise
+// rotate the world by several milliradians per sweep, which at 5 m reads as a velocity of 0.3 m/s of
+// everything.
 //
 // Points of a sweep against the surface that the sweep before saw in their direction (point to line, Censi,
 // ICRA 2008), weighted so that people, who move, hardly count (Tukey), with the odometry as prior.
@@ -20,10 +21,10 @@ struct AlignmentOptions {
   static constexpr double kRangeNoise = 0.02;
   /// [m] points farther than this from what the sweep before saw say nothing
   static constexpr double kReach = 0.15;
-  /// [m] error of the way between two sweeps by odometry
-  static constexpr double kWaySigma = 0.004;
-  /// [rad] error of the turn between two sweeps by odometry
-  static constexpr double kTurnSigma = 0.015;
+  /// [m] error of the translation between two sweeps by odometry
+  static constexpr double kTranslationSigma = 0.004;
+  /// [rad] error of the rotation between two sweeps by odometry
+  static constexpr double kRotationSigma = 0.015;
   /// of points that must fit, or odometry is believed
   static constexpr double kLeastShare = 0.4;
 
@@ -62,7 +63,7 @@ class SweepAlignment {
     Vector2 sensor;
     double angle_min;
   };
-  /// (x, y, turn about the sensor) by which the sweep fits; nothing when too little does.
+  /// (x, y, rotation about the sensor) by which the sweep fits; nothing when too little does.
   std::optional<Eigen::Vector3d> correction_of(const DetectionSet& sweep, const View& view) const;
   Equations compare(const DetectionSet& sweep, const View& view, const Eigen::Vector3d& correction,
                     double reach) const;

@@ -42,14 +42,14 @@ void Tracker::Impl::reset() {
   X_SO_ = {};
 }
 
-void Tracker::Impl::keep_out(std::vector<Vector2>& places) const {
+void Tracker::Impl::keep_out(std::vector<Vector2>& positions) const {
   const Pose2 X_OS = inverse(X_SO_);
   for (const PersonTrack& person : people_) {
     const Existence& existence = person.existence;
     const double itself = existence.log_odds() - existence.clutter - existence.alone;
     const bool is_known = existence.confidence() >= kKeptOut;
     if (!is_known && !person.hidden && itself >= kKeptOutByLooks)
-      places.push_back(X_OS * person.walker.position());
+      positions.push_back(X_OS * person.walker.position());
   }
 }
 
@@ -255,9 +255,9 @@ void Tracker::Impl::watch_for_absence(const DetectionSet& sweep, double dt) {
 }
 
 void Tracker::Impl::follow_hidden_people(double dt, double since_own) {
-  std::vector<Vector2> places;
-  for (const PersonTrack& person : people_) places.push_back(person.walker.position());
-  walls_.add(sweep_in_S_, seconds(), places);
+  std::vector<Vector2> positions;
+  for (const PersonTrack& person : people_) positions.push_back(person.walker.position());
+  walls_.add(sweep_in_S_, seconds(), positions);
   const Surroundings about{sweep_in_S_, walls_, seconds(), dt, since_own};
   for (PersonTrack& person : people_)
     follow_hidden(person, about, is_told_of(person) || !is_out_of_sight(person), random_, options_);
@@ -372,11 +372,11 @@ std::size_t Tracker::cluster_count() const { return impl_->cluster_count(); }
 void Tracker::reset() { impl_->reset(); }
 
 std::vector<Vector2> Tracker::keep_out() const {
-  std::vector<Vector2> places;
+  std::vector<Vector2> positions;
   for (const TrackedPerson& person : people())
-    if (person.confidence >= kKeptOut) places.push_back(person.position);
-  impl_->keep_out(places);
-  return places;
+    if (person.confidence >= kKeptOut) positions.push_back(person.position);
+  impl_->keep_out(positions);
+  return positions;
 }
 
 }  // namespace bw::people

@@ -6,8 +6,8 @@
 // One sweep: predict everything; assign detections to legs of people and to other clusters at once (global
 // nearest neighbour); correct; pair legs anew that went to the wrong person; make people of clusters that
 // walk or stand like legs, or find in them who was lost; let go of who has not been seen where they could
-// have been seen. Sweeps may come from several sensors, each with its own place and view; whole persons told
-// by another detector (a camera) are matched with the same tracks.
+// have been seen. Sweeps may come from several sensors, each with its own position and view; whole persons
+// told by another detector (a camera) are matched with the same tracks.
 #pragma once
 
 #include <memory>

@@ -56,9 +56,9 @@ void Tracker::Impl::begin_with(const HeardPerson& told, double late) {
   there.position += late * told.velocity;
   PersonTrack person = person_of(there, deviation, *now_, options_);
   std::vector<PersonTrack> nobody;
-  const Sighting place{.time = seconds(), .position = there.position};
+  const Sighting sighting{.time = seconds(), .position = there.position};
   const auto velocity = told.velocity.squaredNorm() > 0.0 ? std::optional(told.velocity) : std::nullopt;
-  if (auto lost = take_returned(nobody, lost_, place, velocity, seconds(), options_.hidden)) {
+  if (auto lost = take_returned(nobody, lost_, sighting, velocity, seconds(), options_.hidden)) {
     lost->walker = person.walker;
     lost->heading = person.heading;
     lost->legs = {};

@@ -28,7 +28,7 @@ class Tracker::Impl {
   const std::vector<TrackedPerson>& update(const DetectionSet& sweep);
   const std::vector<TrackedPerson>& hear(const HeardSet& heard);
   const std::vector<TrackedPerson>& people() const { return reported_; }
-  void keep_out(std::vector<Vector2>& places) const;
+  void keep_out(std::vector<Vector2>& positions) const;
   std::size_t cluster_count() const { return clusters_.size(); }
   void reset();
 

@@ -165,7 +165,7 @@ struct HiddenOptions {
   /// [s] is remembered for so long,
   static constexpr double kStoodRemembered = 60.0;
   /// [m] and is whoever stands so near
-  static constexpr double kSamePlace = 0.35;
+  static constexpr double kSamePosition = 0.35;
   /// [s] somebody not seen for sure for this long is hidden, and may come back as somebody who appears
   static constexpr double kAbsent = 0.25;
   double remembered = 20.0;
@@ -176,7 +176,7 @@ struct HiddenOptions {
   /// [rad/s/sqrt(Hz)] how fast people out of sight change direction
   static constexpr double kWander = 0.5;
   /// [s] mean time until somebody out of sight goes elsewhere
-  static constexpr double kKeepsWay = 5.0;
+  static constexpr double kKeepsCourse = 5.0;
   /// [s] somebody is overlooked for so long where the laser sees nothing (time constant)
   static constexpr double kOverlooked = 0.33;
   /// somebody hidden is no longer reported when they are less probably near where they are tracked
@@ -184,7 +184,7 @@ struct HiddenOptions {
   /// [m] a beam that ends by this much beyond a place shows that nobody hidden is there
   static constexpr double kMargin = 0.15;
   /// [m] how near to a guess somebody must appear to be the same (set by code alone)
-  double place_kernel = 0.35;
+  double position_kernel = 0.35;
   /// [m/s] and how near to its velocity they must go
   static constexpr double kVelocityKernel = 0.5;
   /// [s^2/m^4] density of people nobody has seen before: who appears where somebody lost is less likely is

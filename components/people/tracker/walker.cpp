@@ -24,12 +24,13 @@ Walker::Walker(const Vector2& first_leg, const Vector2& second_leg, const Vector
       Vector2::Constant(leg_variance / 2.0), Vector2::Constant(velocity_variance + 0.1);
 }
 
-Walker::Walker(const WalkerOptions& options, BodyPart part, const Vector2& place, const Vector2& velocity,
+Walker::Walker(const WalkerOptions& options, BodyPart part, const Vector2& position, const Vector2& velocity,
                double variance, double velocity_variance) {
   const double leg = options.kHalfWidth * options.kHalfWidth;
-  x_ << place, velocity, 0.0, 0.0, 0.0, 0.0;
+  x_ << position, velocity, 0.0, 0.0, 0.0, 0.0;
   const double s = sign(part);
-  // place = p + s h, so p and h are as uncertain as a leg is far, together only as uncertain as the place.
+  // position = p + s h, so p and h are as uncertain as a leg is far, together only as uncertain as the
+  // position.
   P_.diagonal() << Vector2::Constant(variance + (s == 0.0 ? 0.0 : leg)), Vector2::Constant(velocity_variance),
       Vector2::Constant(leg), Vector2::Constant(0.3);
   P_(0, 4) = P_(4, 0) = P_(1, 5) = P_(5, 1) = -s * leg;
@@ -43,8 +44,8 @@ void Walker::predict(double dt, const WalkerOptions& options) {
   if (dt <= 0.0) return;
   const double speed = velocity().norm();
   const double walking = std::clamp(speed / (2.0 * kWalking), 0.0, 1.0);
-  const Vector2 way = speed > 1e-6 ? Vector2(velocity() / speed) : Vector2(1.0, 0.0);
-  const Block2 along = walking * way * way.transpose();
+  const Vector2 heading = speed > 1e-6 ? Vector2(velocity() / speed) : Vector2(1.0, 0.0);
+  const Block2 along = walking * heading * heading.transpose();
   const Block2 across = Block2::Identity() - along;
 
   // The swing: exact over dt with the beat of the present speed, fading by its memory.
@@ -82,9 +83,9 @@ Eigen::Matrix2d Walker::spread(BodyPart part) const {
   return P_.block<2, 2>(0, 0) + s * (ph + ph.transpose()) + s * s * P_.block<2, 2>(4, 4);
 }
 
-double Walker::correct(BodyPart part, const Vector2& place, const Eigen::Matrix2d& R,
+double Walker::correct(BodyPart part, const Vector2& position, const Eigen::Matrix2d& R,
                        const WalkerOptions& options) {
-  const Vector2 innovation = place - expected(part);
+  const Vector2 innovation = position - expected(part);
   double distance = innovation.dot((spread(part) + R).ldlt().solve(innovation));
   if (distance > options.kJumpGate) {  // a turn or a start: let the velocity and the legs follow
     const double speed = options.kJumpSpeed * options.kJumpSpeed;

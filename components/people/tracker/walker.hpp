@@ -1,16 +1,16 @@
 // How somebody on two legs moves: a linear filter over the point between the legs and the legs' swing.
 //
-//   state (p, v, h, g): place between the legs [m], its velocity [m/s], from there to the first leg [m], and
-//   its rate [m/s]; the legs are at p + h and p - h.
+//   state (p, v, h, g): position between the legs [m], its velocity [m/s], from there to the first leg [m],
+//   and its rate [m/s]; the legs are at p + h and p - h.
 //
 //   p' = v                        with white acceleration (more when walking than when standing)
-//   h, along the way:  h'' = -w^2 h - c h' + noise, w = 2 pi |v| / stride: one swing per two steps
+//   h, along the path:  h'' = -w^2 h - c h' + noise, w = 2 pi |v| / stride: one swing per two steps
 //   h, across:         slow drift
 //
 // So a walker of whom one leg is seen does not seem to hurry and wait with each step, as the leg does (it
 // moves at 0 to 2 |v|), and a leg that appears again is expected where it swings. The noise of the swing
 // follows from how far legs swing and how long they keep the beat, that its variance stays what it is.
-// The way is the direction of v; while |v| is small, legs hold still.
+// The path has the direction of v; while |v| is small, legs hold still.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,7 +25,7 @@ struct WalkerOptions {
   static constexpr double kAccelerationStanding = 0.2;
   /// [m/s^2/sqrt(Hz)] how fast people who walk change their velocity, as legs are assigned
   static constexpr double kAccelerationWalking = 0.6;
-  /// [m] way of two steps: one swing
+  /// [m] distance of two steps: one swing
   static constexpr double kStride = 1.4;
   /// [m] reach of a leg, forward or back, at full swing
   static constexpr double kSwing = 0.18;
@@ -35,7 +35,7 @@ struct WalkerOptions {
   static constexpr double kBeatMemory = 1.0;
   /// [m/sqrt(s)] how fast the distance between the legs changes
   static constexpr double kDriftAcross = 0.08;
-  /// [m] standard deviation of the place of a leg that nobody has seen, from the middle, per axis
+  /// [m] standard deviation of the position of a leg that nobody has seen, from the middle, per axis
   static constexpr double kHalfWidth = 0.13;
   /// squared standard deviations (2 dof) beyond which a step was not foreseen: filter widens
   static constexpr double kJumpGate = 25.0;
@@ -45,7 +45,7 @@ struct WalkerOptions {
   static constexpr double kJumpLeg = 0.08;
 };
 
-/// What of a person is seen at a place.
+/// What of a person is seen at a position.
 enum class BodyPart { first_leg, second_leg, middle };
 
 class Walker {
@@ -58,7 +58,7 @@ class Walker {
          double velocity_variance);
 
   /// One leg seen (or the middle, when `part` says so): the other is somewhere about.
-  Walker(const WalkerOptions& options, BodyPart part, const Vector2& place, const Vector2& velocity,
+  Walker(const WalkerOptions& options, BodyPart part, const Vector2& position, const Vector2& velocity,
          double variance, double velocity_variance);
 
   void predict(double dt, const WalkerOptions& options);  ///< dt >= 0 [s]
@@ -67,9 +67,10 @@ class Walker {
   Vector2 expected(BodyPart part) const;
   Eigen::Matrix2d spread(BodyPart part) const;
 
-  /// Corrects by a place seen with covariance R [m^2]. Returns the squared distance in standard deviations
+  /// Corrects by a position seen with covariance R [m^2]. Returns the squared distance in standard deviations
   /// before the correction.
-  double correct(BodyPart part, const Vector2& place, const Eigen::Matrix2d& R, const WalkerOptions& options);
+  double correct(BodyPart part, const Vector2& position, const Eigen::Matrix2d& R,
+                 const WalkerOptions& options);
 
   /// Knows the middle and its velocity (x, y, vx, vy) from elsewhere; the legs go on swinging.
   void place_middle(const Eigen::Vector4d& motion, const Eigen::Matrix4d& covariance);

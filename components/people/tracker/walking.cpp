@@ -6,14 +6,14 @@
 namespace bw::people {
 namespace {
 
-constexpr double kStays = 0.1;      // [m] shorter ways are none
-constexpr double kOfTheWay = 0.25;  // share of the way of both that each leg goes
+constexpr double kStays = 0.1;             // [m] shorter distances are none
+constexpr double kShareOfDistance = 0.25;  // share of the distance of both that each leg goes
 
 /// Each of two legs, in what is seen of both.
-bool both_moved(const CommonSightings& common, double way) {
+bool both_moved(const CommonSightings& common, double distance) {
   const auto oldest = static_cast<std::size_t>(common.count - 1);
   const auto moved = [&](const auto& legs) {
-    return (legs[0]->position - legs[oldest]->position).norm() > kOfTheWay * way;
+    return (legs[0]->position - legs[oldest]->position).norm() > kShareOfDistance * distance;
   };
   return moved(common.a) && moved(common.b);
 }
@@ -39,17 +39,18 @@ std::optional<Walk> walk_of_pair(const ClusterTrack& a, const ClusterTrack& b, c
   const Gait gait = gait_of(common, common.count);
   if (gait.misfit > options.kMisfit || gait.widest > options.kSeparation) return std::nullopt;
   const int oldest = common.count - 1;
-  const double way = gait.velocity.norm() * (common.time(0) - common.time(oldest));
-  if (way < options.travel) return std::nullopt;
-  if (!both_moved(common, way)) return std::nullopt;
-  return Walk{way, gait.velocity.norm()};
+  const double distance = gait.velocity.norm() * (common.time(0) - common.time(oldest));
+  if (distance < options.travel) return std::nullopt;
+  if (!both_moved(common, distance)) return std::nullopt;
+  return Walk{distance, gait.velocity.norm()};
 }
 
 bool stays(const ClusterTrack& a, const ClusterTrack& b, const BirthOptions& options) {
   const CommonSightings common(a, b);
   if (common.count < 2) return true;
-  const double way = (common.middle(0) - common.middle(common.count - 1)).norm();
-  return way < kStays || !both_moved(common, way) || gait_of(common, common.count).misfit > options.kMisfit;
+  const double distance = (common.middle(0) - common.middle(common.count - 1)).norm();
+  return distance < kStays || !both_moved(common, distance) ||
+         gait_of(common, common.count).misfit > options.kMisfit;
 }
 
 std::optional<Walk> walk_of_single(const ClusterTrack& cluster, const BirthOptions& options) {
@@ -58,8 +59,8 @@ std::optional<Walk> walk_of_single(const ClusterTrack& cluster, const BirthOptio
   const Sighting& oldest = cluster.sighting(n - 1);
   const double seconds = now.time - oldest.time;
   if (n < options.sightings || seconds < options.kSingleTime) return std::nullopt;
-  const double way = (now.position - oldest.position).norm();
-  if (way < options.kSingleTravel) return std::nullopt;
+  const double distance = (now.position - oldest.position).norm();
+  if (distance < options.kSingleTravel) return std::nullopt;
   const double on_static = mean_of(cluster, n, [](const Sighting& s) { return s.on_static ? 1.0 : 0.0; });
   const double score = mean_of(cluster, n, [](const Sighting& s) { return s.human_score(); });
   if (on_static > options.kSingleStatic || score < options.kSingleScore) return std::nullopt;
@@ -77,8 +78,8 @@ std::optional<Walk> walk_of_single(const ClusterTrack& cluster, const BirthOptio
     if (step > options.kSingleStep + options.kSingleSpeed * (after.time - before.time)) return std::nullopt;
     path += step;
   }
-  if (way < options.kSingleStraight * path) return std::nullopt;
-  return Walk{way, way / seconds};
+  if (distance < options.kSingleStraight * path) return std::nullopt;
+  return Walk{distance, distance / seconds};
 }
 
 }  // namespace bw::people

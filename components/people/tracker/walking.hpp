@@ -10,10 +10,10 @@
 
 namespace bw::people {
 
-/// The way of a walker in what is remembered of their legs.
+/// The distance of a walker in what is remembered of their legs.
 struct Walk {
-  double way = 0.0;    ///< [m]
-  double speed = 0.0;  ///< along it [m/s]
+  double distance = 0.0;  ///< [m]
+  double speed = 0.0;     ///< along it [m/s]
 };
 
 /// Of what is remembered of a thing, so many sightings are `seconds` old at most.

@@ -10,22 +10,22 @@ namespace bw::people {
 namespace {
 
 constexpr double kPostAge = 0.5;  // [s] what has stood so long is a post
-constexpr double kStill = 0.15;   // [m] its places differ less
+constexpr double kStill = 0.15;   // [m] its positions differ less
 constexpr double kThin = 0.25;    // [m] and it is less wide
 constexpr double kReach = 2.5;    // [m] farther furniture is not theirs: the diagonal of a table and more
 constexpr double kSlowly = 1.0;   // [s] in which patterns gain and lose belief
-constexpr FootShifts::Memory kOfLeg{.gap = 0.5, .turn = 0.1};
+constexpr FootShifts::Memory kOfLeg{.gap = 0.5, .bearing_change = 0.1};
 // However long it is out of view, and from every side: measured on furniture, README.
-constexpr FootShifts::Memory kOfPair{.gap = 1e9, .turn = 4.0};
+constexpr FootShifts::Memory kOfPair{.gap = 1e9, .bearing_change = 4.0};
 constexpr double kSensorStill = 0.05;   // [m] a laser that moves less stands
 constexpr double kSensorStood = 1.0;    // [s]
 constexpr double kLooksOfShifts = 2.0;  // log odds of a pair whose shifts count
 constexpr double kThinnest = 0.07;      // [m] leg whose shifts count,
 constexpr double kAlike = 0.05;  // [m] and by how much the two differ at most: leaves and bars part and merge
-constexpr double kLookUpEvery = 1.0;       // [s] what was at a place before is looked up so often,
+constexpr double kLookUpEvery = 1.0;       // [s] what was at a position before is looked up so often,
 constexpr double kLookedUpWithin = 0.1;    // [m] or when a thing has moved so far
 constexpr double kTaken = -14.0;           // log odds of legs that stand where something stood before
-constexpr double kOfWayLost = 0.6;         // [m] of the way walked by somebody lost
+constexpr double kOfDistanceLost = 0.6;    // [m] of the distance walked by somebody lost
 constexpr double kClutterGain = 0.3;       // [s] in which things that come into view are noticed
 constexpr double kClutterMemory = 10.0;    // [s] in which things out of view are forgotten
 constexpr double kFurnitureMemory = 60.0;  // [s] in which a place is no longer taken for a furnished one
@@ -85,7 +85,7 @@ std::optional<double> stood(const ClusterTrack* one, const ClusterTrack* other, 
 
 Existence existence_of(const Birth& birth, const ClusterTrack& first, const ClusterTrack* second) {
   Existence existence = first.existence;
-  existence.walked.way = birth.way;
+  existence.walked.distance = birth.distance;
   existence.prior = prior_of(birth.kind);
   if (second != nullptr) {
     if (second->existence.appearance.log_odds() < existence.appearance.log_odds())
@@ -102,14 +102,15 @@ Existence existence_of(const Birth& birth, const ClusterTrack& first, const Clus
 
 Existence existence_of_returned(const Existence& lost, const Existence& born, const Birth& birth) {
   Existence existence = born;
-  const double way = birth.stands() ? std::min(lost.walked.way, kOfWayLost) : lost.walked.way;
-  existence.walked.way = std::max(born.walked.way, way);
+  const double distance =
+      birth.stands() ? std::min(lost.walked.distance, kOfDistanceLost) : lost.walked.distance;
+  existence.walked.distance = std::max(born.walked.distance, distance);
   return existence;
 }
 
 Existence existence_of_same(const Existence& lost, const Existence& born) {
   Existence existence = born;
-  existence.walked.way = std::max(born.walked.way, lost.walked.way);
+  existence.walked.distance = std::max(born.walked.distance, lost.walked.distance);
   existence.foot_shifts = std::max(born.foot_shifts, lost.foot_shifts);
   existence.came = std::max(born.came, lost.came);
   existence.kept = lost.kept;
@@ -138,7 +139,7 @@ void Weighing::find_posts(const std::vector<PersonTrack>& people, const std::vec
   for (const ClusterTrack& cluster : clusters)
     if (is_post(cluster, sweep)) posts_.push_back(post_of(cluster));
   for (const PersonTrack& person : people) {
-    if (person.existence.walked.way >= Walked::kFree) continue;
+    if (person.existence.walked.distance >= Walked::kFree) continue;
     for (const auto& leg : person.legs)
       if (leg && is_post(*leg, sweep)) posts_.push_back(post_of(*leg));
   }
@@ -182,7 +183,7 @@ double Weighing::alone_of(double stood) const {
 void Weighing::weigh_surroundings(std::optional<double> stood, Existence& existence) const {
   existence.furnished = furnished_beyond(kLegsOfSomebody);
   existence.clutter = existence.alone = 0.0;
-  if (existence.walked.way >= Walked::kFree || existence.came >= Existence::kHasCome) return;
+  if (existence.walked.distance >= Walked::kFree || existence.came >= Existence::kHasCome) return;
   const double others = std::max(0.0, clutter_ - 1.0);
   if (existence.prior == Existence::kWalker) existence.clutter = Existence::kEachOtherWalking * others;
   if (existence.prior != Existence::kTwoLegs) return;
@@ -193,20 +194,20 @@ void Weighing::weigh_surroundings(std::optional<double> stood, Existence& existe
 /// In view, and walkers beyond doubt.
 void Weighing::count_company(const std::vector<PersonTrack>& people, double dt) {
   const auto known = static_cast<double>(std::ranges::count_if(people, [](const PersonTrack& person) {
-    return !person.hidden && person.existence.walked.way >= Walked::kFree &&
+    return !person.hidden && person.existence.walked.distance >= Walked::kFree &&
            person.existence.log_odds() > 0.0;
   }));
   company_ += (known > company_ ? 1.0 : std::min(1.0, dt / kCompanyMemory)) * (known - company_);
 }
 
 void Weighing::look_up(ClusterTrack& thing, double now) const {
-  const Vector2& place = thing.last().position;
-  const double moved = (place - thing.looked_up_at).norm();
+  const Vector2& position = thing.last().position;
+  const double moved = (position - thing.looked_up_at).norm();
   if (thing.past == Past::empty && moved < kStill) return;
   if (moved < kLookedUpWithin && now - thing.looked_up < kLookUpEvery) return;
-  thing.looked_up_at = place;
+  thing.looked_up_at = position;
   thing.looked_up = now;
-  thing.past = past_.at(place, now);
+  thing.past = past_.at(position, now);
 }
 
 void Weighing::weigh_coming(PersonTrack& person, std::int64_t sweep, double now) const {
@@ -220,7 +221,7 @@ void Weighing::weigh_coming(PersonTrack& person, std::int64_t sweep, double now)
   Existence& existence = person.existence;
   existence.in_place = *seen[0] == Past::occupied && (seen[1] == nullptr || *seen[1] == Past::occupied);
   const double share = share_that_came(*seen[0], seen[1]);
-  if (share == 0.0 && existence.came < 0.0 && existence.walked.way < Walked::kFree) return;
+  if (share == 0.0 && existence.came < 0.0 && existence.walked.distance < Walked::kFree) return;
   existence.came = Existence::kCame * share * (1.0 - existence.taken / kTaken);  // background says otherwise
 }
 
@@ -234,8 +235,8 @@ void Weighing::weigh_rigidity(PersonTrack& person, std::int64_t sweep, double dt
 }
 
 /// Nothing becomes background where somebody walks up to: what is background under their feet is not theirs.
-void Weighing::weigh_place(PersonTrack& person, std::int64_t sweep, double gain) {
-  if (person.existence.walked.way < Walked::kFree) return;
+void Weighing::weigh_position(PersonTrack& person, std::int64_t sweep, double gain) {
+  if (person.existence.walked.distance < Walked::kFree) return;
   double seen = 0.0;
   double on_background = 0.0;
   for (const auto& leg : person.legs) {
@@ -247,7 +248,7 @@ void Weighing::weigh_place(PersonTrack& person, std::int64_t sweep, double gain)
   person.existence.taken += gain * (kTaken * on_background / seen - person.existence.taken);
 }
 
-/// Who stands on two legs leans: one of them is hidden by the other often, and so is the way between them.
+/// Who stands on two legs leans: one of them is hidden by the other often, and so is the path between them.
 double Weighing::shifts_of_legs(PersonTrack& person, std::int64_t sweep) const {
   double most = 0.0;
   for (auto& leg : person.legs) {
@@ -271,20 +272,21 @@ void Weighing::weigh_person(PersonTrack& person, std::int64_t sweep, double dt, 
       if (leg && leg->last().sweep == sweep) walk = walk_of_single(*leg, options);
   }
   if (walk) {
-    existence.walked.way += walk->speed * std::min(dt, person.since_seen);
-    existence.walked.way = std::max(existence.walked.way, walk->way);
+    existence.walked.distance += walk->speed * std::min(dt, person.since_seen);
+    existence.walked.distance = std::max(existence.walked.distance, walk->distance);
   }
   const auto leg = [&](int i) { return person.legs[i] ? &*person.legs[i] : nullptr; };
   weigh_surroundings(stood(leg(0), leg(1), options), existence);
-  if (!both || existence.walked.way >= Walked::kFree) return;
+  if (!both || existence.walked.distance >= Walked::kFree) return;
   const Sighting& a = person.legs[0]->last();
   const Sighting& b = person.legs[1]->last();
   const bool whole = !a.occluded && !b.occluded && std::min(a.width, b.width) >= kThinnest &&
                      std::abs(a.width - b.width) <= kAlike;
-  Vector2 way = a.position - b.position;
-  if ((way + person.foot_shifts.place()).norm() < (way - person.foot_shifts.place()).norm())
-    way = -way;  // legs exchanged
-  person.foot_shifts.add(a.time, way, whole, a.bearing, kOfPair);
+  Vector2 legs_apart = a.position - b.position;
+  if ((legs_apart + person.foot_shifts.position()).norm() <
+      (legs_apart - person.foot_shifts.position()).norm())
+    legs_apart = -legs_apart;  // legs exchanged
+  person.foot_shifts.add(a.time, legs_apart, whole, a.bearing, kOfPair);
   if (existence.appearance.log_odds() >= kLooksOfShifts)
     existence.foot_shifts =
         std::max({existence.foot_shifts, person.foot_shifts.log_odds(), shifts_of_legs(person, sweep)});
@@ -320,7 +322,7 @@ void Weighing::weigh(std::vector<PersonTrack>& people, std::vector<ClusterTrack>
   count_company(people, dt);
   for (PersonTrack& person : people) {
     weigh_person(person, sweep, dt, gain, options);
-    weigh_place(person, sweep, gain);
+    weigh_position(person, sweep, gain);
     weigh_coming(person, sweep, time);
     weigh_rigidity(person, sweep, dt);
     person.existence.keep_belief();

@@ -20,7 +20,7 @@ Existence existence_of(const Birth& birth, const ClusterTrack& first, const Clus
 /// where somebody only stands.
 Existence existence_of_returned(const Existence& lost, const Existence& born, const Birth& birth);
 
-/// The same of somebody lost who stood at the very place: they are believed as before.
+/// The same of somebody lost who stood at the very position: they are believed as before.
 Existence existence_of_same(const Existence& lost, const Existence& born);
 
 /// Whether something that stands may be the leg of somebody, or both in one, and should be told of.
@@ -61,7 +61,7 @@ class Weighing {
   void weigh_coming(PersonTrack& person, std::int64_t sweep, double now) const;
   static void weigh_rigidity(PersonTrack& person, std::int64_t sweep, double dt);
   double shifts_of_legs(PersonTrack& person, std::int64_t sweep) const;
-  void weigh_place(PersonTrack& person, std::int64_t sweep, double gain);
+  void weigh_position(PersonTrack& person, std::int64_t sweep, double gain);
   void weigh_person(PersonTrack& person, std::int64_t sweep, double dt, double gain,
                     const BirthOptions& options);
 

@@ -68,7 +68,7 @@ class OdometryCalibration {
               << (has_map() ? "" : " Mark the floor where the robot stands.") << std::endl;
     const Pose2 from = has_map() ? session_.pose_on_map() : Pose2{};
     session_.confirm("It drives straight on and stops.");
-    MeasuredMotion motion{.turns = session_.drive({.distance = options_.straight})};
+    MeasuredMotion motion{.rotations = session_.drive({.distance = options_.straight})};
     if (has_map()) {
       motion.moved = inverse(from) * session_.pose_on_map();
     } else {
@@ -79,7 +79,7 @@ class OdometryCalibration {
     motions_.push_back(motion);
     if (index + 1 == options_.straights) return;
     session_.confirm("It turns round on the spot.");
-    session_.drive({.turn = kPi});
+    session_.drive({.rotation = kPi});
   }
 
   void drive_square(int index) {
@@ -90,13 +90,14 @@ class OdometryCalibration {
     MeasuredMotion motion;
     Pose2 from = has_map() ? session_.pose_on_map() : Pose2{};
     for (int leg = 0; leg < 8; ++leg) {
-      const bool is_turn = leg % 2 == 1;
-      session_.confirm(is_turn ? fmt::format("Corner {}: it turns {} on the spot.", leg / 2 + 1,
-                                             is_left ? "left" : "right")
-                               : fmt::format("Side {}: {:.2f} m straight on.", leg / 2 + 1, options_.side));
-      const auto turns = session_.drive(is_turn ? Leg{.turn = (is_left ? kPi : -kPi) / 2.0}
-                                                : Leg{.distance = options_.side});
-      motion.turns.insert(motion.turns.end(), turns.begin(), turns.end());
+      const bool is_rotation = leg % 2 == 1;
+      session_.confirm(
+          is_rotation
+              ? fmt::format("Corner {}: it turns {} on the spot.", leg / 2 + 1, is_left ? "left" : "right")
+              : fmt::format("Side {}: {:.2f} m straight on.", leg / 2 + 1, options_.side));
+      const auto rotations = session_.drive(is_rotation ? Leg{.rotation = (is_left ? kPi : -kPi) / 2.0}
+                                                        : Leg{.distance = options_.side});
+      motion.rotations.insert(motion.rotations.end(), rotations.begin(), rotations.end());
       if (!has_map()) continue;
       const Pose2 to = session_.pose_on_map();
       motion.moved = inverse(from) * to;

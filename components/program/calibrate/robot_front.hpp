@@ -37,7 +37,7 @@ class RobotFront {
 
   const Pose2& X_OB() const { return X_OB_; }
   const Twist2& twist() const { return twist_; }
-  const WheelTurns& angles() const { return angles_; }  ///< since the start of the base, unwrapped [rad]
+  const WheelRotations& angles() const { return angles_; }  ///< since the start of the base, unwrapped [rad]
   /// The newest one after `since`.
   std::optional<Pose2> pose_since(Time since) const;
   /// Speeds of the wheels over what they were told, of each time that they were told to turn steadily.
@@ -54,7 +54,7 @@ class RobotFront {
   std::optional<cli::TopicReader<geometry_msgs::msg::PoseWithCovarianceStamped>> poses_;
   Pose2 X_OB_;
   Twist2 twist_;
-  WheelTurns angles_;
+  WheelRotations angles_;
   std::optional<Time> odometry_heard_, joints_heard_, pose_heard_;
   Pose2 pose_;
   std::optional<bandwagon_msgs::msg::BaseState> state_;

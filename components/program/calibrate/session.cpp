@@ -52,20 +52,20 @@ void CalibrationSession::confirm(const std::string& what) {
   if (!answer.empty()) end("ended by hand: the robot stands, nothing was written");
 }
 
-std::vector<WheelTurns> CalibrationSession::drive(const Leg& leg) {
+std::vector<WheelRotations> CalibrationSession::drive(const Leg& leg) {
   robot_.hear(now());
   LegDriver driver(leg, legs_, robot_.X_OB());
-  std::vector<WheelTurns> turns;
-  WheelTurns last = robot_.angles();
+  std::vector<WheelRotations> rotations;
+  WheelRotations last = robot_.angles();
   for (const Time latest = now() + Duration::seconds(driver.longest());;) {
     const auto twist = driver.step(robot_.X_OB(), robot_.twist());
     if (now() > latest) end("something holds the robot: the leg did not end in time");
     step(twist.value_or(Twist2{}));
     if (lines_.wait(kPeriod)) end("stopped by hand: nothing was written");
     robot_.hear(now());
-    turns.push_back({robot_.angles().left - last.left, robot_.angles().right - last.right});
+    rotations.push_back({robot_.angles().left - last.left, robot_.angles().right - last.right});
     last = robot_.angles();
-    if (!twist) return turns;
+    if (!twist) return rotations;
     if (const std::string fault = robot_.fault(now()); !fault.empty()) end(fault);
   }
 }

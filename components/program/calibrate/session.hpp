@@ -28,7 +28,7 @@ class CalibrationSession {
   std::string ask(const std::string& question);
   /// "yes" for Enter; q ends.
   void confirm(const std::string& what);
-  std::vector<WheelTurns> drive(const Leg& leg);
+  std::vector<WheelRotations> drive(const Leg& leg);
   /// Of the localization, once the robot has stood for 1 s.
   Pose2 pose_on_map();
 

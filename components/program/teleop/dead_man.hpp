@@ -17,14 +17,14 @@ namespace bw {
 
 struct DeadManOptions {
   double v = 0.3;      ///< forward, at 100 % [m/s]
-  double omega = 0.8;  ///< turning, at 100 % [rad/s]
+  double omega = 0.8;  ///< rotating, at 100 % [rad/s]
   Duration hold = Duration::milliseconds(200);
 };
 
 /// Where a key drives: each 1, 0 or -1, forward and to the left.
 struct Direction {
   int forward = 0;
-  int turn = 0;
+  int rotation = 0;
 };
 
 class DeadMan {

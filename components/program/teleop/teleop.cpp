@@ -58,14 +58,14 @@ std::optional<Direction> direction_of(Key key) {
       return Direction{.forward = -1};
     case cli::kLeft:
     case 'a':
-      return Direction{.turn = 1};
+      return Direction{.rotation = 1};
     case cli::kRight:
     case 'd':
-      return Direction{.turn = -1};
+      return Direction{.rotation = -1};
     case 'u':
-      return Direction{.forward = 1, .turn = 1};
+      return Direction{.forward = 1, .rotation = 1};
     case 'o':
-      return Direction{.forward = 1, .turn = -1};
+      return Direction{.forward = 1, .rotation = -1};
     default:
       return std::nullopt;
   }

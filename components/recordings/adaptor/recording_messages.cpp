@@ -34,9 +34,9 @@ sensor_msgs::msg::NavSatFix to_message(const FixSample& sample, const std::strin
   message.header(make_header(frame, stamp));
   message.status().status(sensor_msgs::msg::NavSatStatus_Constants::STATUS_FIX);
   message.status().service(sensor_msgs::msg::NavSatStatus_Constants::SERVICE_GPS);
-  message.latitude(sample.place.latitude);
-  message.longitude(sample.place.longitude);
-  message.altitude(sample.place.altitude);
+  message.latitude(sample.position.latitude);
+  message.longitude(sample.position.longitude);
+  message.altitude(sample.position.altitude);
   for (int i = 0; i < 3; ++i)
     message.position_covariance()[static_cast<std::size_t>(4 * i)] = sample.variance(i);
   namespace type = sensor_msgs::msg::NavSatFix_Constants;

@@ -33,9 +33,9 @@ std::optional<ImuSample> to_sample(const sensor_msgs::msg::Imu& message, Time ti
 
 std::optional<FixSample> to_sample(const sensor_msgs::msg::NavSatFix& message, Time time) {
   if (message.status().status() < sensor_msgs::msg::NavSatStatus_Constants::STATUS_FIX) return std::nullopt;
-  FixSample sample{.time = time, .place = {message.latitude(), message.longitude(), message.altitude()}};
-  if (!std::isfinite(sample.place.altitude)) sample.place.altitude = 0.0;
-  if (!localization::is_plausible(sample.place)) return std::nullopt;
+  FixSample sample{.time = time, .position = {message.latitude(), message.longitude(), message.altitude()}};
+  if (!std::isfinite(sample.position.altitude)) sample.position.altitude = 0.0;
+  if (!localization::is_plausible(sample.position)) return std::nullopt;
   const auto& C = message.position_covariance();
   const bool is_declared =
       message.position_covariance_type() != sensor_msgs::msg::NavSatFix_Constants::COVARIANCE_TYPE_UNKNOWN;

@@ -239,7 +239,7 @@ class DriveReader {
     std::ranges::stable_sort(d.ranges, {}, &RangeSample::time);  // of several anchors
     std::ranges::stable_sort(d.scans, {}, &ScanSample::time);    // of several scanners
     count_from(result_.log.start, d);
-    if (!d.fixes.empty()) d.datum = d.fixes.front().place;
+    if (!d.fixes.empty()) d.datum = d.fixes.front().position;
     for (const auto& [topic, counts] : counts_) {
       const auto tell = [&, &name = topic](std::size_t count, const char* what) {
         if (count > 0) result_.left_out.push_back(fmt::format("{}: {} messages {}", name, count, what));

@@ -25,10 +25,11 @@ WheelGeometry scaled(const WheelGeometry& start, const Vector3d& logarithms) {
           start.separation * std::exp(logarithms[2])};
 }
 
-WheelStep step_of(const WheelTurns& turns, const WheelGeometry& geometry, double variance_per_metre) {
+WheelStep step_of(const WheelRotations& rotations, const WheelGeometry& geometry, double variance_per_metre) {
   const double left_radius = geometry.radius * 2.0 / (1.0 + geometry.ratio);
-  return step_from_wheels({}, {}, turns.left * left_radius, turns.right * left_radius * geometry.ratio,
-                          geometry.separation, variance_per_metre);
+  return step_from_wheels({}, {}, rotations.left * left_radius,
+                          rotations.right * left_radius * geometry.ratio, geometry.separation,
+                          variance_per_metre);
 }
 
 struct Rolled {
@@ -39,12 +40,12 @@ struct Rolled {
 Rolled rolled_with_covariance(const MeasuredMotion& motion, const WheelGeometry& geometry,
                               const MeasuringErrors& errors) {
   Rolled result;
-  for (const WheelTurns& turns : motion.turns) {
-    const WheelStep step = step_of(turns, geometry, errors.variance_per_metre);
+  for (const WheelRotations& rotations : motion.rotations) {
+    const WheelStep step = step_of(rotations, geometry, errors.variance_per_metre);
     result.covariance = covariance_after(result.pose, result.covariance, step);
-    result.pose = advance_arc(result.pose, step.distance, step.turn);
+    result.pose = advance_arc(result.pose, step.distance, step.rotation);
   }
-  // Both ends are measured; the heading at the start turns what was moved.
+  // Both ends are measured; the heading at the start rotates what was moved.
   const double heading = errors.heading * errors.heading;
   const Vector3d lever(-motion.moved.y, motion.moved.x, 1.0);
   result.covariance += heading * lever * lever.transpose();
@@ -89,7 +90,7 @@ void add(const MeasuredMotion& motion, const WheelGeometry& start, const Vector3
   MatrixXd slope(rest.size(), 3);
   for (Eigen::Index i = 0; i < 3; ++i) {
     const Vector3d moved = logarithms + kStep * Vector3d::Unit(i);
-    VectorXd change = difference(motion, rolled(motion.turns, scaled(start, moved))) - rest;
+    VectorXd change = difference(motion, rolled(motion.rotations, scaled(start, moved))) - rest;
     if (change.size() == 3) change[2] = wrap_angle(change[2]);
     slope.col(i) = change / kStep;
   }
@@ -107,11 +108,11 @@ Matrix3d prior_information() {
 
 }  // namespace
 
-Pose2 rolled(const std::vector<WheelTurns>& turns, const WheelGeometry& geometry) {
+Pose2 rolled(const std::vector<WheelRotations>& rotations, const WheelGeometry& geometry) {
   Pose2 pose;
-  for (const WheelTurns& one : turns) {
+  for (const WheelRotations& one : rotations) {
     const WheelStep step = step_of(one, geometry, 0.0);
-    pose = advance_arc(pose, step.distance, step.turn);
+    pose = advance_arc(pose, step.distance, step.rotation);
   }
   return pose;
 }

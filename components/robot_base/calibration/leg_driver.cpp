@@ -20,13 +20,13 @@ LegDriver::LegDriver(const Leg& leg, const LegOptions& options, const Pose2& sta
     : leg_(leg), options_(options), start_(start), heading_(start.theta) {}
 
 double LegDriver::longest() const {
-  return 5.0 + 3.0 * (std::abs(leg_.distance) / options_.v + std::abs(leg_.turn) / options_.omega);
+  return 5.0 + 3.0 * (std::abs(leg_.distance) / options_.v + std::abs(leg_.rotation) / options_.omega);
 }
 
 std::optional<Twist2> LegDriver::step(const Pose2& X_OB, const Twist2& measured) {
-  turned_ += wrap_angle(X_OB.theta - heading_);
+  rotated_ += wrap_angle(X_OB.theta - heading_);
   heading_ = X_OB.theta;
-  const Twist2 wish = leg_.turn != 0.0 ? turn() : straight(X_OB);
+  const Twist2 wish = leg_.rotation != 0.0 ? rotate() : straight(X_OB);
   if (!is_over_) return wish;
   const bool stands = std::abs(measured.v) < kStillV && std::abs(measured.omega) < kStillOmega;
   return stands ? std::nullopt : std::optional(Twist2{});
@@ -46,9 +46,9 @@ Twist2 LegDriver::straight(const Pose2& X_OB) {
           std::clamp(omega, -options_.omega / 2.0, options_.omega / 2.0)};
 }
 
-Twist2 LegDriver::turn() {
-  const double rest = leg_.turn - turned_;
-  is_over_ = is_over_ || rest * leg_.turn <= 0.0 || std::abs(rest) < 0.005;
+Twist2 LegDriver::rotate() {
+  const double rest = leg_.rotation - rotated_;
+  is_over_ = is_over_ || rest * leg_.rotation <= 0.0 || std::abs(rest) < 0.005;
   if (is_over_) return {};
   return {0.0,
           std::copysign(speed_towards(std::abs(rest), options_.omega, options_.angular_deceleration), rest)};

@@ -1,5 +1,5 @@
-// Legs of a calibration, driven by odometry: straight on for a length, and turns on the spot. They need not
-// be exact: what counts is how far the wheels turned and where the robot then stood.
+// Legs of a calibration, driven by odometry: straight on for a length, and rotations in place. They need not
+// be exact: what counts is how far the wheels rotated and where the robot then stood.
 #pragma once
 
 #include <optional>
@@ -16,8 +16,8 @@ struct LegOptions {
 };
 
 struct Leg {
-  double distance = 0.0;  ///< straight on [m]; 0: a turn
-  double turn = 0.0;      ///< on the spot, counter-clockwise [rad]
+  double distance = 0.0;  ///< straight on [m]; 0: a rotation
+  double rotation = 0.0;  ///< in place, counter-clockwise [rad]
 };
 
 class LegDriver {
@@ -31,13 +31,13 @@ class LegDriver {
 
  private:
   Twist2 straight(const Pose2& X_OB);
-  Twist2 turn();
+  Twist2 rotate();
 
   Leg leg_;
   LegOptions options_;
   Pose2 start_;
-  double heading_;       ///< last one seen
-  double turned_ = 0.0;  ///< since the start, unwrapped
+  double heading_;        ///< last one seen
+  double rotated_ = 0.0;  ///< since the start, unwrapped
   bool is_over_ = false;
 };
 

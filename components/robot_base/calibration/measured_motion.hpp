@@ -1,4 +1,4 @@
-// What a calibration knows of one motion: how far the wheels turned on the way, and where the robot stood at
+// What a calibration knows of one motion: how far the wheels rotated on the way, and where the robot stood at
 // its end.
 #pragma once
 
@@ -20,8 +20,8 @@ inline WheelGeometry geometry_of(const Robot& robot) {
   return {robot.wheel_radius, robot.wheel_radius_ratio, robot.wheel_separation};
 }
 
-/// Turns of both wheels since the sample before [rad].
-struct WheelTurns {
+/// Rotations of both wheels since the sample before [rad].
+struct WheelRotations {
   double left = 0.0;
   double right = 0.0;
 };
@@ -29,12 +29,12 @@ struct WheelTurns {
 struct MeasuredMotion {
   enum class Known { distance, position, pose };  ///< of `moved`
 
-  std::vector<WheelTurns> turns;
+  std::vector<WheelRotations> rotations;
   Pose2 moved;  ///< where it ended, in the frame of where it began, heading along x; `distance`: x alone
   Known known = Known::pose;
 };
 
 /// Where wheels of that geometry end.
-Pose2 rolled(const std::vector<WheelTurns>& turns, const WheelGeometry& geometry);
+Pose2 rolled(const std::vector<WheelRotations>& rotations, const WheelGeometry& geometry);
 
 }  // namespace bw

@@ -16,7 +16,7 @@ constexpr Duration kSilentStrange = Duration::milliseconds(1000);  ///< without 
 constexpr Duration kSilentGivenUp = Duration::milliseconds(4000);
 constexpr Duration kSayAgain = Duration::milliseconds(100);   ///< what GOSPD said, though nothing changed
 constexpr Duration kStartAnew = Duration::milliseconds(500);  ///< of silence: the board may have restarted
-constexpr int kFewerPositions = 100;  ///< a turn of the wheel: the older board, whose ACC goes to FF
+constexpr int kFewerPositions = 100;  ///< a revolution of the wheel: the older board, whose ACC goes to FF
 
 WheelSpeeds metres_per_count(const Robot& robot) {
   const WheelRadii radii = robot.wheel_radii();

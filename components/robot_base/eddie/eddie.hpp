@@ -70,8 +70,8 @@ class Eddie : public Driver {
 
   EddieOptions options_;
   WheelSpeeds metres_per_count_;
-  bool is_coarse_ = false;  ///< the older board, with fewer positions to a turn
-  double reach_;            ///< [m/s] beyond which no wheel turns
+  bool is_coarse_ = false;  ///< the older board, with fewer positions to a revolution
+  double reach_;            ///< [m/s] beyond which no wheel rotates
   std::unique_ptr<ByteLink> link_;
   std::uint64_t openings_ = 0;
   Phase phase_ = Phase::closed;

@@ -22,7 +22,7 @@ std::int64_t BoardClock::unwrap(std::uint16_t stamp, Time arrival) const {
 /// `board`: the newest of what was read together.
 void BoardClock::take(Time arrival, std::int64_t board, bool is_first, bool went_back) {
   const Duration least = clock_.least();
-  if (went_back) clock_ = ForeignClock(ForeignClock::Way::direct);
+  if (went_back) clock_ = ForeignClock(ForeignClock::Delivery::direct);
   const bool has_stepped = clock_.add(arrival, Time{board}).has_stepped;
   const bool is_sooner = !is_first && clock_.least() < least - kSooner;
   if (!has_stepped && !went_back && !is_sooner) return;

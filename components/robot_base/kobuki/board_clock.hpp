@@ -37,7 +37,7 @@ class BoardClock {
     Time time;
   };
   std::optional<Newest> newest_;
-  ForeignClock clock_{ForeignClock::Way::direct};
+  ForeignClock clock_{ForeignClock::Delivery::direct};
   bool may_step_ = true;  ///< the next time need not rise evenly
   std::uint64_t jumps_ = 0;
 };

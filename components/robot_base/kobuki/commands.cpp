@@ -55,8 +55,8 @@ Bytes base_control(const SpeedAndRadius& motion) {
 Bytes request_versions() { return packet(0x09, {0x01 | 0x02 | 0x08, 0x00}); }
 
 Bytes set_user_gains(const Gains& gains) {
-  const auto byte = [](double gain, int place) {
-    return static_cast<std::uint8_t>(static_cast<std::uint32_t>(std::lround(gain * 1000.0)) >> 8 * place);
+  const auto byte = [](double gain, int index) {
+    return static_cast<std::uint8_t>(static_cast<std::uint32_t>(std::lround(gain * 1000.0)) >> 8 * index);
   };
   const auto [p, i, d] = gains;
   return packet(0x0D, {1, byte(p, 0), byte(p, 1), byte(p, 2), byte(p, 3), byte(i, 0), byte(i, 1), byte(i, 2),

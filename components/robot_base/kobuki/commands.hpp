@@ -10,7 +10,7 @@ namespace bw::kobuki {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// The firmware's own way to say how wheels turn: speed of the outer wheel [mm/s], radius of the middle's
+/// The firmware's own way to say how wheels rotate: speed of the outer wheel [mm/s], radius of the middle's
 /// circle [mm]; radius 0 is straight on, 1 is in place.
 struct SpeedAndRadius {
   std::int16_t speed = 0, radius = 0;

@@ -45,7 +45,7 @@ struct Inputs {
   std::array<std::uint16_t, 4> analog{};
 };
 
-/// 0D. The chip is turned: x of the robot is -y, y is x, z is z. [0.00875 degrees/s]
+/// 0D. The chip is rotated: x of the robot is -y, y is x, z is z. [0.00875 degrees/s]
 struct RawGyro {
   std::uint8_t frame = 0;  ///< counts samples
   std::vector<std::array<std::int16_t, 3>> samples;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kPeriod = 20;                ///< [ms] between packets
 constexpr int kTicksPerPeriod = 400;       ///< at 0.7 m/s there are 164
-constexpr double kFirmwareRadius = 0.035;  ///< [m] by which the board turns mm/s into wheel turns
+constexpr double kFirmwareRadius = 0.035;  ///< [m] by which the board turns mm/s into wheel revolutions
 constexpr Duration kWritePeriod = Duration::milliseconds(30);
 constexpr Duration kAskAgain = Duration::milliseconds(1000);
 constexpr Duration kStrange = Duration::milliseconds(500);

@@ -33,15 +33,15 @@ class Heading {
  public:
   /// [rad], counter-clockwise since the first one, unwrapped.
   double add(std::int16_t centidegrees) {
-    constexpr int kTurn = 36'000;
-    int moved = before_ ? (centidegrees - *before_) % kTurn : 0;
-    if (moved > kTurn / 2) moved -= kTurn;
-    if (moved < -kTurn / 2) moved += kTurn;
+    constexpr int kRevolution = 36'000;
+    int moved = before_ ? (centidegrees - *before_) % kRevolution : 0;
+    if (moved > kRevolution / 2) moved -= kRevolution;
+    if (moved < -kRevolution / 2) moved += kRevolution;
     before_ = centidegrees;
     sum_ += moved;
     return static_cast<double>(sum_) * std::numbers::pi / 18'000.0;
   }
-  /// What the next one says of the turn since the last one is not to be believed.
+  /// What the next one says of the rotation since the last one is not to be believed.
   void forget() { before_.reset(); }
 
  private:

@@ -11,7 +11,7 @@ namespace bw {
 
 /// Tracks by rising id. Positions only: the velocity used is the one that joins them. Throws
 /// std::runtime_error
-/// ("file:line: ...") for anything but finite numbers, whole ids in 0 ... 10^6, places within 10^5 m, and
+/// ("file:line: ...") for anything but finite numbers, whole ids in 0 ... 10^6, positions within 10^5 m, and
 /// times that rise for each person.
 std::vector<Track> read_tracks(std::istream& input, const std::string& file);
 std::vector<Track> read_tracks(const std::string& file);

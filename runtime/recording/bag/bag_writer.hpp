@@ -78,7 +78,7 @@ class BagWriter {
   bool is_folder_;
   int lock_ = -1;
   std::vector<BagTopic> topics_;
-  std::vector<std::size_t> listed_as_;  ///< by topic: its place in metadata_.topics, which knows no writers
+  std::vector<std::size_t> listed_as_;  ///< by topic: its index in metadata_.topics, which knows no writers
   std::vector<std::size_t> latched_depths_;  ///< by topic
   std::map<std::pair<std::string, std::string>, std::uint16_t>
       schema_ids_;  ///< by type, and encoding with text

@@ -73,12 +73,12 @@ bool is_within(const Contents& contents, std::uint64_t summary_start) {
 
 /// One chunk named a thousand times would be read a thousand times.
 bool is_apart(const std::vector<ChunkIndex>& chunks) {
-  std::vector<std::pair<std::uint64_t, std::uint64_t>> places;
-  for (const ChunkIndex& c : chunks) places.emplace_back(c.chunk_start, c.chunk_length);
-  std::ranges::sort(places);
-  return std::ranges::adjacent_find(places, [](const auto& a, const auto& b) {
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> extents;
+  for (const ChunkIndex& c : chunks) extents.emplace_back(c.chunk_start, c.chunk_length);
+  std::ranges::sort(extents);
+  return std::ranges::adjacent_find(extents, [](const auto& a, const auto& b) {
            return b.first - a.first < a.second;
-         }) == places.end();
+         }) == extents.end();
 }
 
 /// Nothing, with a fault, when the file has no summary that can be trusted.

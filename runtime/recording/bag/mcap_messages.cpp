@@ -15,11 +15,11 @@ Messages::Messages(const ByteSource& file, const Contents& contents, Selection s
   for (std::size_t i = 0; i < contents_.chunks.size(); ++i) {
     if (is_wanted(contents_.chunks[i])) order_.push_back(i);
   }
-  const auto place = [&](std::size_t i) {
+  const auto rank = [&](std::size_t i) {
     return std::pair(contents_.chunks[i].start_time, contents_.chunks[i].chunk_start);
   };
   // As recorders write them they are in order, and a long bag has very many.
-  if (!std::ranges::is_sorted(order_, {}, place)) std::ranges::sort(order_, {}, place);
+  if (!std::ranges::is_sorted(order_, {}, rank)) std::ranges::sort(order_, {}, rank);
   std::ranges::sort(loose_, {}, [](const LooseMessage& m) { return std::pair(m.log_time, m.offset); });
 }
 
@@ -75,36 +75,36 @@ bool Messages::enter(std::size_t chunk) {
     if (!next_record(*records, offset, record)) return false;
     if (record.opcode != Opcode::message) continue;
     if (!parse(record.content, message)) return false;
-    if (is_wanted(message)) places_.push({message.log_time, at, record.offset, chunk});
+    if (is_wanted(message)) locations_.push({message.log_time, at, record.offset, chunk});
   }
   return true;
 }
 
-bool Messages::fetch(const Place& place, Message& message) {
-  if (place.chunk == kNoChunk) {
+bool Messages::fetch(const Location& location, Message& message) {
+  if (location.chunk == kNoChunk) {
     Opcode opcode{};
-    return read_record(file_, place.file_offset, opcode, record_, fault_) && parse(record_, message);
+    return read_record(file_, location.file_offset, opcode, record_, fault_) && parse(record_, message);
   }
-  const Bytes* records = records_of(place.chunk);
-  std::size_t offset = place.offset;
+  const Bytes* records = records_of(location.chunk);
+  std::size_t offset = location.offset;
   RecordView record;
   return records != nullptr && next_record(*records, offset, record) && parse(record.content, message);
 }
 
 Step Messages::next(Message& message) {
-  const auto is_due = [&](std::uint64_t time) { return places_.empty() || time <= places_.top().time; };
+  const auto is_due = [&](std::uint64_t time) { return locations_.empty() || time <= locations_.top().time; };
   while (true) {
     while (entered_ < order_.size() && is_due(contents_.chunks[order_[entered_]].start_time)) {
       if (!enter(order_[entered_++])) return Step::damaged;
     }
     while (next_loose_ < loose_.size() && is_due(loose_[next_loose_].log_time)) {
       const LooseMessage& loose = loose_[next_loose_++];
-      places_.push({loose.log_time, loose.offset, 0, kNoChunk});
+      locations_.push({loose.log_time, loose.offset, 0, kNoChunk});
     }
-    if (places_.empty()) return Step::end;
-    const Place place = places_.top();
-    places_.pop();
-    if (!fetch(place, message)) return Step::damaged;
+    if (locations_.empty()) return Step::end;
+    const Location location = locations_.top();
+    locations_.pop();
+    if (!fetch(location, message)) return Step::damaged;
     if (is_wanted(message)) return Step::message;
   }
 }

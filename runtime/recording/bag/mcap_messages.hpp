@@ -39,12 +39,12 @@ class Messages {
 
  private:
   /// Where a message lies; in the order of reading.
-  struct Place {
+  struct Location {
     std::uint64_t time = 0;
     std::uint64_t file_offset = 0;  ///< of its chunk, or of its own record
     std::size_t offset = 0;         ///< in the decompressed chunk
     std::size_t chunk = 0;          ///< kNoChunk: loose
-    bool operator>(const Place& other) const {
+    bool operator>(const Location& other) const {
       return std::tie(time, file_offset, offset) > std::tie(other.time, other.file_offset, other.offset);
     }
   };
@@ -60,16 +60,16 @@ class Messages {
   bool is_wanted(const Message& message) const;
   bool enter(std::size_t chunk);
   const Bytes* records_of(std::size_t chunk);
-  bool fetch(const Place& place, Message& message);
+  bool fetch(const Location& location, Message& message);
 
   const ByteSource& file_;
   const Contents& contents_;
   Selection selection_;
-  std::vector<std::size_t> order_;  ///< wanted chunks by start time, then by place
+  std::vector<std::size_t> order_;  ///< wanted chunks by start time, then by location
   std::size_t entered_ = 0;         ///< of `order_`
   std::vector<LooseMessage> loose_;
   std::size_t next_loose_ = 0;
-  std::priority_queue<Place, std::vector<Place>, std::greater<>> places_;
+  std::priority_queue<Location, std::vector<Location>, std::greater<>> locations_;
   std::list<OpenChunk> open_;  ///< the one used last first
   std::uint64_t open_size_ = 0;
   Bytes record_;

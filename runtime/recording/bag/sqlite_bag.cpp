@@ -71,7 +71,7 @@ class Query {
   }
   /// False where the file has no such table or column.
   bool is_valid() const { return is_valid_; }
-  void bind(int place, std::int64_t value) { sqlite3_bind_int64(statement_.get(), place, value); }
+  void bind(int index, std::int64_t value) { sqlite3_bind_int64(statement_.get(), index, value); }
 
   enum class Row { row, done, broken };
   Row next() {

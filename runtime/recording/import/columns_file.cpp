@@ -136,11 +136,12 @@ TableRule read_table(const ConfigNode& node, const std::string& key, Violations&
     return table;
   }
   for (const ConfigNode& message : messages->sequence) {
-    const std::string place = key + ".messages." + std::to_string(table.messages.size());
-    table.messages.push_back(read_message(message, place, common, violations));
+    const std::string message_key = key + ".messages." + std::to_string(table.messages.size());
+    table.messages.push_back(read_message(message, message_key, common, violations));
     const MessageRule& read = table.messages.back();
     if (table.format.header && (!read.columns.empty() || !read.line.empty()))
-      violations.push_back({read.where, place, "", "a table with a header has neither line nor columns"});
+      violations.push_back(
+          {read.where, message_key, "", "a table with a header has neither line nor columns"});
   }
   return table;
 }

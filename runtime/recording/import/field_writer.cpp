@@ -17,7 +17,7 @@
 namespace bw::imports {
 namespace {
 
-using Place = MessageDraft::Place;
+using Target = MessageDraft::Target;
 using Kind = MessageDraft::Kind;
 
 /// A number of a table that breaks a rule; turned into a TableError by who knows the cell.
@@ -41,7 +41,7 @@ FieldWriter::FieldWriter(const ValueRule& rule, MessageDraft& draft, const Colum
                          const std::string& table)
     : rule_(rule) {
   try {
-    place_ = draft.find(rule.field);
+    target_ = draft.find(rule.field);
   } catch (const std::invalid_argument& error) {
     refuse("", error.what());
   }
@@ -55,10 +55,10 @@ FieldWriter::FieldWriter(const ValueRule& rule, MessageDraft& draft, const Colum
 
 void FieldWriter::check_unit() const {
   if (rule_.unit_text.empty()) return;
-  if (place_.kind == Kind::text) refuse(rule_.unit_text, "a text has no unit");
-  if (place_.kind == Kind::angle && rule_.unit.powers != kAngle)
+  if (target_.kind == Kind::text) refuse(rule_.unit_text, "a text has no unit");
+  if (target_.kind == Kind::angle && rule_.unit.powers != kAngle)
     refuse(rule_.unit_text, "must be a unit of an angle: rad, deg");
-  if (place_.kind == Kind::time && rule_.unit.powers != kTime)
+  if (target_.kind == Kind::time && rule_.unit.powers != kTime)
     refuse(rule_.unit_text, "must be a unit of time: s, ms, us, ns, min, h");
 }
 
@@ -74,13 +74,14 @@ void FieldWriter::bind_columns(const ColumnLayout& layout, const std::string& ta
     refuse(text, std::string(error.what()) + ", in " + table);
   }
   if (!rule_.by_count.empty()) {
-    if (place_.kind != Kind::number && place_.kind != Kind::angle)
+    if (target_.kind != Kind::number && target_.kind != Kind::angle)
       refuse(text, "a count gives a number only");
     return;
   }
   const bool is_several = rule_.columns.has_value() || layout.is_several(first_);
-  if (is_several && place_.kind != Kind::numbers) refuse(text, "several cells, where the field is one value");
-  if (!is_several && place_.kind == Kind::numbers)
+  if (is_several && target_.kind != Kind::numbers)
+    refuse(text, "several cells, where the field is one value");
+  if (!is_several && target_.kind == Kind::numbers)
     refuse(text,
            "one cell, where the field is a list: name its columns (columns: first..last), or one element, " +
                rule_.field + "[0]");
@@ -89,16 +90,16 @@ void FieldWriter::bind_columns(const ColumnLayout& layout, const std::string& ta
 void FieldWriter::write_constant(MessageDraft& draft) const {
   const std::string& text = *rule_.value;
   std::optional<std::string> rule;
-  if (place_.kind == Kind::text) {
-    rule = draft.set(place_, std::string_view(text));
-  } else if (place_.kind == Kind::time) {
+  if (target_.kind == Kind::text) {
+    rule = draft.set(target_, std::string_view(text));
+  } else if (target_.kind == Kind::time) {
     const auto quantity = quantity_of(text);
     const auto time =
         stamp_of_text(text.substr(0, text.find(' ')), rule_.unit_text.empty() ? "s" : rule_.unit_text);
     if (!quantity || !time) refuse(text, "must be a time");
-    rule = draft.set(place_, *time);
+    rule = draft.set(target_, *time);
   } else if (const auto truth = parse_bool(text)) {
-    rule = draft.set(place_, *truth ? 1.0 : 0.0);
+    rule = draft.set(target_, *truth ? 1.0 : 0.0);
   } else {
     const auto quantity = quantity_of(text);
     if (!quantity) refuse(text, "must be a number");
@@ -106,12 +107,13 @@ void FieldWriter::write_constant(MessageDraft& draft) const {
       refuse(text, rule_.unit_text.empty() ? "unknown unit; known: " + std::string(known_units())
                                            : "has another unit than `unit`");
     const double value = to_si(quantity->number);
-    if (place_.kind == Kind::numbers) {
-      const std::size_t count = place_.field->capacity;
-      if (place_.field->shape != Shape::kArray) refuse(text, "a list of open length has no constant for all");
-      rule = draft.set(place_, std::vector<double>(count, value));
+    if (target_.kind == Kind::numbers) {
+      const std::size_t count = target_.field->capacity;
+      if (target_.field->shape != Shape::kArray)
+        refuse(text, "a list of open length has no constant for all");
+      rule = draft.set(target_, std::vector<double>(count, value));
     } else {
-      rule = draft.set(place_, value);
+      rule = draft.set(target_, value);
     }
   }
   if (rule) refuse(text, *rule);
@@ -157,7 +159,7 @@ bool FieldWriter::write(const Row& row, const ColumnLayout& layout, const std::s
                         MessageDraft& draft) {
   if (rule_.value) return true;
   if (!rule_.by_count.empty()) {
-    if (const auto rule = draft.set(place_, by_count(row, layout, table)))
+    if (const auto rule = draft.set(target_, by_count(row, layout, table)))
       throw TableError(table, row.line, *rule);
     return true;
   }
@@ -166,12 +168,12 @@ bool FieldWriter::write(const Row& row, const ColumnLayout& layout, const std::s
   std::size_t cell = first;
   try {
     std::optional<std::string> rule;
-    if (place_.kind == Kind::text) {
-      rule = draft.set(place_, std::string_view(row.cells[cell]));
-    } else if (place_.kind == Kind::time) {
+    if (target_.kind == Kind::text) {
+      rule = draft.set(target_, std::string_view(row.cells[cell]));
+    } else if (target_.kind == Kind::time) {
       const auto time = stamp_of_text(row.cells[cell], rule_.unit_text.empty() ? "s" : rule_.unit_text);
       if (!time) throw BrokenRule("is no time");
-      rule = draft.set(place_, *time);
+      rule = draft.set(target_, *time);
     } else {
       values_.clear();
       for (; cell < end; ++cell) {
@@ -181,7 +183,8 @@ bool FieldWriter::write(const Row& row, const ColumnLayout& layout, const std::s
       }
       cell = first;
       if (rule_.reverse) std::ranges::reverse(values_);
-      rule = place_.kind == Kind::numbers ? draft.set(place_, values_) : draft.set(place_, values_.front());
+      rule =
+          target_.kind == Kind::numbers ? draft.set(target_, values_) : draft.set(target_, values_.front());
     }
     if (rule) throw BrokenRule(*rule);
   } catch (const BrokenRule& broken) {

@@ -38,7 +38,7 @@ class FieldWriter {
   [[noreturn]] void refuse(const std::string& value, const std::string& why) const;
 
   ValueRule rule_;
-  MessageDraft::Place place_;
+  MessageDraft::Target target_;
   std::size_t first_ = 0;  ///< column
   std::size_t last_ = 0;
   std::vector<double> values_;

@@ -57,7 +57,7 @@ const TypeDescription& type_of(const MessageRule& rule) {
                                    : "unknown type; a type is written as nav_msgs/msg/Odometry"});
 }
 
-/// The place of the topic in the list, which grows by it.
+/// The index of the topic in the list, which grows by it.
 std::size_t topic_of(const MessageRule& rule, const TypeDescription& type,
                      std::vector<bag::BagTopic>& topics) {
   const auto found = std::ranges::find(topics, rule.topic, &bag::BagTopic::name);

@@ -93,14 +93,14 @@ class TemporaryFolder {
 std::unique_ptr<bag::Bag> as_bag(ImportedLog log) { return std::make_unique<ImportedBag>(std::move(log)); }
 
 void write_bag(const ImportedLog& log, const std::filesystem::path& path) {
-  const std::filesystem::path place = std::filesystem::absolute(path).lexically_normal();
+  const std::filesystem::path target = std::filesystem::absolute(path).lexically_normal();
   const auto refuse_existing = [&path] {
     if (std::filesystem::exists(path)) throw std::runtime_error(path.string() + " exists already");
   };
   refuse_existing();
-  std::filesystem::create_directories(place.parent_path());
-  const TemporaryFolder workshop(place.parent_path());
-  const std::filesystem::path made = workshop.path() / place.filename();
+  std::filesystem::create_directories(target.parent_path());
+  const TemporaryFolder workshop(target.parent_path());
+  const std::filesystem::path made = workshop.path() / target.filename();
   {
     bag::BagWriter writer(made, {});
     for (const bag::BagTopic& topic : log.topics) writer.add_topic(topic);
@@ -109,7 +109,7 @@ void write_bag(const ImportedLog& log, const std::filesystem::path& path) {
     writer.close();
   }
   refuse_existing();
-  std::filesystem::rename(made, place);
+  std::filesystem::rename(made, target);
 }
 
 }  // namespace bw::imports

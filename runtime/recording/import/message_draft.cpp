@@ -82,14 +82,14 @@ const FieldDescription& MessageDraft::field_of(const Node& node, std::string_vie
                                           unknown_rule("field", name, names_of(*node.type))));
 }
 
-MessageDraft::Node& MessageDraft::element_of(Node& list, std::size_t index, Place& place) {
+MessageDraft::Node& MessageDraft::element_of(Node& list, std::size_t index, Target& target) {
   const FieldDescription& field = *list.field;
   if (field.shape == Shape::kSingle) throw std::invalid_argument(fmt::format("'{}' is no list", field.name));
   if (field.capacity != 0 && index >= field.capacity)
     throw std::invalid_argument(fmt::format("'{}' has {} elements", field.name, field.capacity));
   if (field.kind == bw::Kind::kMessage) {
     while (list.children.size() <= index) fill(list.children.emplace_back(), *field.message);
-    place.steps.push_back(index);
+    target.steps.push_back(index);
     return list.children[index];
   }
   if (field.kind == bw::Kind::kString) {
@@ -97,66 +97,66 @@ MessageDraft::Node& MessageDraft::element_of(Node& list, std::size_t index, Plac
   } else {
     list.numbers.resize(std::max(list.numbers.size(), index + 1));
   }
-  place.element = index;
-  place.is_element = true;
+  target.element = index;
+  target.is_element = true;
   return list;
 }
 
-MessageDraft::Place MessageDraft::find(std::string_view path) {
-  Place place;
+MessageDraft::Target MessageDraft::find(std::string_view path) {
+  Target target;
   Node* at = &root_;
   for (std::string_view rest = path; !rest.empty();) {
     const std::string_view word = rest.substr(0, rest.find('.'));
     rest.remove_prefix(std::min(word.size() + 1, rest.size()));
-    if (place.is_element) throw std::invalid_argument(fmt::format("nothing is below '{}'", at->field->name));
+    if (target.is_element) throw std::invalid_argument(fmt::format("nothing is below '{}'", at->field->name));
     const bool is_rotation = at->type != nullptr && at->type->ros_name == kQuaternionType;
     if (const auto* angle = std::ranges::find(kAngles, word); is_rotation && angle != std::end(kAngles)) {
       if (!rest.empty()) throw std::invalid_argument("nothing is below an angle");
       at->numbers.resize(3);
-      place.kind = Kind::angle;
-      place.element = static_cast<std::size_t>(angle - kAngles);
-      return place;
+      target.kind = Kind::angle;
+      target.element = static_cast<std::size_t>(angle - kAngles);
+      return target;
     }
     const Part part = part_of(word);
-    place.field = &field_of(*at, part.name);
-    place.steps.push_back(static_cast<std::size_t>(place.field - at->type->fields.data()));
-    at = &at->children[place.steps.back()];
-    if (part.index) at = &element_of(*at, *part.index, place);
+    target.field = &field_of(*at, part.name);
+    target.steps.push_back(static_cast<std::size_t>(target.field - at->type->fields.data()));
+    at = &at->children[target.steps.back()];
+    if (part.index) at = &element_of(*at, *part.index, target);
   }
   if (at == &root_) throw std::invalid_argument("a field must be named");
-  place.kind = kind_of(*at, place);
-  return place;
+  target.kind = kind_of(*at, target);
+  return target;
 }
 
-MessageDraft::Kind MessageDraft::kind_of(const Node& node, const Place& place) {
+MessageDraft::Kind MessageDraft::kind_of(const Node& node, const Target& target) {
   if (node.type != nullptr) {
     if (node.type->ros_name == kTimeType || node.type->ros_name == kDurationType) return Kind::time;
     throw std::invalid_argument(fmt::format("is a whole {}: one of its fields must be named ({})",
                                             node.type->ros_name, comma_separated(names_of(*node.type))));
   }
-  const FieldDescription& field = *place.field;
-  const bool is_whole_list = field.shape != Shape::kSingle && !place.is_element;
+  const FieldDescription& field = *target.field;
+  const bool is_whole_list = field.shape != Shape::kSingle && !target.is_element;
   if (is_whole_list && (field.kind == bw::Kind::kString || field.kind == bw::Kind::kMessage))
     throw std::invalid_argument(fmt::format("is a list: name its elements, {}[0]", field.name));
   if (field.kind == bw::Kind::kString) return Kind::text;
   return is_whole_list ? Kind::numbers : Kind::number;
 }
 
-const MessageDraft::Node& MessageDraft::node(const Place& place) const {
+const MessageDraft::Node& MessageDraft::node(const Target& target) const {
   const Node* at = &root_;
-  for (const std::size_t step : place.steps) at = &at->children[step];
+  for (const std::size_t step : target.steps) at = &at->children[step];
   return *at;
 }
 
-MessageDraft::Node& MessageDraft::node(const Place& place) {
-  return const_cast<Node&>(static_cast<const MessageDraft&>(*this).node(place));
+MessageDraft::Node& MessageDraft::node(const Target& target) {
+  return const_cast<Node&>(static_cast<const MessageDraft&>(*this).node(target));
 }
 
-std::optional<std::string> MessageDraft::set(const Place& place, double value) {
-  Node& at = node(place);
-  if (place.kind == Kind::angle) {
+std::optional<std::string> MessageDraft::set(const Target& target, double value) {
+  Node& at = node(target);
+  if (target.kind == Kind::angle) {
     if (!std::isfinite(value)) return "an angle must be finite";
-    at.numbers[place.element] = value;
+    at.numbers[target.element] = value;
     const double half[] = {at.numbers[0] / 2.0, at.numbers[1] / 2.0, at.numbers[2] / 2.0};
     const double cr = std::cos(half[0]), cp = std::cos(half[1]), cy = std::cos(half[2]);
     const double sr = std::sin(half[0]), sp = std::sin(half[1]), sy = std::sin(half[2]);
@@ -166,20 +166,20 @@ std::optional<std::string> MessageDraft::set(const Place& place, double value) {
     at.children[3].numbers[0] = cr * cp * cy + sr * sp * sy;
     return std::nullopt;
   }
-  if (auto rule = broken_rule(place.field->kind, value)) return rule;
-  at.numbers[place.element] = value;
+  if (auto rule = broken_rule(target.field->kind, value)) return rule;
+  at.numbers[target.element] = value;
   return std::nullopt;
 }
 
-std::optional<std::string> MessageDraft::set(const Place& place, std::string_view text) {
-  const std::uint32_t bound = place.field->string_capacity;
+std::optional<std::string> MessageDraft::set(const Target& target, std::string_view text) {
+  const std::uint32_t bound = target.field->string_capacity;
   if (bound != 0 && text.size() > bound) return fmt::format("must have at most {} bytes", bound);
-  node(place).texts[place.element] = text;
+  node(target).texts[target.element] = text;
   return std::nullopt;
 }
 
-std::optional<std::string> MessageDraft::set(const Place& place, std::span<const double> values) {
-  const FieldDescription& field = *place.field;
+std::optional<std::string> MessageDraft::set(const Target& target, std::span<const double> values) {
+  const FieldDescription& field = *target.field;
   const bool wrong_count = field.shape == Shape::kArray
                                ? values.size() != field.capacity
                                : field.capacity != 0 && values.size() > field.capacity;
@@ -188,11 +188,11 @@ std::optional<std::string> MessageDraft::set(const Place& place, std::span<const
   for (const double value : values) {
     if (auto rule = broken_rule(field.kind, value)) return rule;
   }
-  node(place).numbers.assign(values.begin(), values.end());
+  node(target).numbers.assign(values.begin(), values.end());
   return std::nullopt;
 }
 
-std::optional<std::string> MessageDraft::set(const Place& place, Duration since_epoch) {
+std::optional<std::string> MessageDraft::set(const Target& target, Duration since_epoch) {
   constexpr std::int64_t kSecond = 1'000'000'000;
   std::int64_t seconds = since_epoch.nanoseconds / kSecond;
   std::int64_t rest = since_epoch.nanoseconds % kSecond;
@@ -201,7 +201,7 @@ std::optional<std::string> MessageDraft::set(const Place& place, Duration since_
     --seconds;
   }
   if (std::abs(seconds) > std::numeric_limits<std::int32_t>::max()) return "does not fit 32 bits of seconds";
-  Node& at = node(place);
+  Node& at = node(target);
   at.children[0].numbers[0] = static_cast<double>(seconds);
   at.children[1].numbers[0] = static_cast<double>(rest);
   return std::nullopt;
@@ -227,7 +227,7 @@ void MessageDraft::set_stamps(Node& node, Time stamp, bool is_first) {
 
 void MessageDraft::set_stamps(Time stamp) { set_stamps(root_, stamp, true); }
 
-std::span<const double> MessageDraft::numbers(const Place& place) const { return node(place).numbers; }
+std::span<const double> MessageDraft::numbers(const Target& target) const { return node(target).numbers; }
 
 void MessageDraft::write(std::vector<std::uint8_t>& cdr) const {
   CdrWriter writer(cdr);

@@ -25,7 +25,7 @@ class MessageDraft {
     angle,    ///< roll, pitch or yaw of a geometry_msgs/Quaternion
   };
   /// Where in the message something is set.
-  struct Place {
+  struct Target {
     Kind kind = Kind::number;
     std::vector<std::size_t> steps;  ///< from the message down
     std::size_t element = 0;  ///< of an array of numbers or texts; of a quaternion: 0 roll, 1 pitch, 2 yaw
@@ -38,20 +38,20 @@ class MessageDraft {
   /// `pose.pose.position.x`, `position_covariance[4]`, `transforms[0].child_frame_id`, `ranges`,
   /// `header.stamp`, `pose.pose.orientation.yaw`. Sequences grow as far as they are spoken of. Throws
   /// std::invalid_argument with the rule that the path breaks.
-  Place find(std::string_view path);
+  Target find(std::string_view path);
 
   /// Each returns the rule that the value breaks, if it does: a whole number in range where the field is one,
   /// a text within its bound, as many numbers as an array has.
-  std::optional<std::string> set(const Place& place, double value);
-  std::optional<std::string> set(const Place& place, std::string_view text);
-  std::optional<std::string> set(const Place& place, std::span<const double> values);
-  std::optional<std::string> set(const Place& place, Duration since_epoch);
+  std::optional<std::string> set(const Target& target, double value);
+  std::optional<std::string> set(const Target& target, std::string_view text);
+  std::optional<std::string> set(const Target& target, std::span<const double> values);
+  std::optional<std::string> set(const Target& target, Duration since_epoch);
   /// In every std_msgs/Header of the message, and in a message that begins with a builtin_interfaces/Time
   /// there.
   void set_stamps(Time stamp);
 
-  /// Of a place of kind numbers or number.
-  [[nodiscard]] std::span<const double> numbers(const Place& place) const;
+  /// Of a target of kind numbers or number.
+  [[nodiscard]] std::span<const double> numbers(const Target& target) const;
 
   /// Replaces `cdr`.
   void write(std::vector<std::uint8_t>& cdr) const;
@@ -68,11 +68,11 @@ class MessageDraft {
   static Node make(const FieldDescription& field);
   static void fill(Node& node, const TypeDescription& type);
   static const FieldDescription& field_of(const Node& node, std::string_view name);
-  static Node& element_of(Node& list, std::size_t index, Place& place);
-  static Kind kind_of(const Node& node, const Place& place);
+  static Node& element_of(Node& list, std::size_t index, Target& target);
+  static Kind kind_of(const Node& node, const Target& target);
   static void set_stamps(Node& node, Time stamp, bool is_first);
-  Node& node(const Place& place);
-  [[nodiscard]] const Node& node(const Place& place) const;
+  Node& node(const Target& target);
+  [[nodiscard]] const Node& node(const Target& target) const;
 
   Node root_;
 };

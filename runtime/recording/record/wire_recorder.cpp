@@ -257,7 +257,7 @@ void WireRecorder::settle(Source& source) {
   if (source.bag_topic || source.held.empty()) return;
   const bool is_long = held_bytes_ > kMaxHeld || steady_clock::now() - source.seen > kLongestUnnamed;
   if (source.node.empty() && !is_long) return;
-  const auto [place, is_new] = bag_topics_.emplace(std::tuple(source.topic, source.type, source.node), 0);
+  const auto [entry, is_new] = bag_topics_.emplace(std::tuple(source.topic, source.type, source.node), 0);
   if (is_new) {
     bag::BagTopic topic{.name = source.topic,
                         .type = source.type,
@@ -266,11 +266,11 @@ void WireRecorder::settle(Source& source) {
                         .type_hash = source.type_hash,
                         .schema_encoding = source.description == nullptr ? "unknown" : "ros2msg"};
     if (source.description != nullptr) topic.schema_text = bag::schema_text(*source.description);
-    place->second = recorder_.add_topic(topic);
+    entry->second = recorder_.add_topic(topic);
     const std::lock_guard lock(status_mutex_);
     recorded_topics_.insert(source.topic);
   }
-  source.bag_topic = place->second;
+  source.bag_topic = entry->second;
   for (const Held& sample : std::exchange(source.held, {})) {
     held_bytes_ -= sample.cdr.size();
     record(source, sample.received, sample.sent, sample.cdr);

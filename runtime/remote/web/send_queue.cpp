@@ -25,11 +25,11 @@ bool SendQueue::push(Frame frame, Keep keep) {
   Amount& amount = amount_of(keep.rule);
   amount.frames += 1;
   amount.bytes += size;
-  const Place place = queue_.insert(queue_.end(), Entry{std::move(frame), keep, std::nullopt});
+  const Position position = queue_.insert(queue_.end(), Entry{std::move(frame), keep, std::nullopt});
   if (keep.rule == Keep::Rule::always) return true;
 
-  if (const auto [known, is_new] = newest_.try_emplace(keep.stream, place); !is_new) {
-    supersede(std::exchange(known->second, place));
+  if (const auto [known, is_new] = newest_.try_emplace(keep.stream, position); !is_new) {
+    supersede(std::exchange(known->second, position));
   }
   while (is_over() && !superseded_.empty()) {
     take_out(superseded_.front());
@@ -38,7 +38,7 @@ bool SendQueue::push(Frame frame, Keep keep) {
   return true;
 }
 
-void SendQueue::supersede(Place older) {
+void SendQueue::supersede(Position older) {
   if (older->keep.rule == Keep::Rule::latched) {
     take_out(older);
   } else {
@@ -50,16 +50,16 @@ bool SendQueue::is_over() const {
   return data_.frames > limits_.data_frames || data_.bytes > limits_.data_bytes;
 }
 
-void SendQueue::take_out(Place place) {
-  Amount& amount = amount_of(place->keep.rule);
+void SendQueue::take_out(Position position) {
+  Amount& amount = amount_of(position->keep.rule);
   amount.frames -= 1;
-  amount.bytes -= place->frame.size();
-  if (place->superseded) superseded_.erase(*place->superseded);
-  if (place->keep.rule != Keep::Rule::always) {
-    const auto newest = newest_.find(place->keep.stream);
-    if (newest != newest_.end() && newest->second == place) newest_.erase(newest);
+  amount.bytes -= position->frame.size();
+  if (position->superseded) superseded_.erase(*position->superseded);
+  if (position->keep.rule != Keep::Rule::always) {
+    const auto newest = newest_.find(position->keep.stream);
+    if (newest != newest_.end() && newest->second == position) newest_.erase(newest);
   }
-  queue_.erase(place);
+  queue_.erase(position);
 }
 
 std::optional<Frame> SendQueue::pop() {

@@ -39,25 +39,26 @@ class SendQueue {
 
  private:
   struct Entry;
-  using Place = std::list<Entry>::iterator;
+  using Position = std::list<Entry>::iterator;
   struct Entry {
     Frame frame;
     Keep keep;
-    std::optional<std::list<Place>::iterator> superseded;  ///< its place in superseded_
+    std::optional<std::list<Position>::iterator> superseded;  ///< its place in superseded_
   };
   struct Amount {
     std::size_t frames = 0;
     std::size_t bytes = 0;
   };
   Amount& amount_of(Keep::Rule rule);
-  void supersede(Place older);
-  void take_out(Place place);
+  void supersede(Position older);
+  void take_out(Position position);
   bool is_over() const;
 
   QueueLimits limits_;
   std::list<Entry> queue_;
-  std::list<Place> superseded_;  ///< data that may go, in the order in which newer ones of their streams came
-  std::unordered_map<std::uint64_t, Place> newest_;  ///< queued, by stream
+  /// Data that may go, in the order in which newer ones of their streams came.
+  std::list<Position> superseded_;
+  std::unordered_map<std::uint64_t, Position> newest_;  ///< queued, by stream
   Amount data_, control_, latched_;
   std::uint64_t left_out_ = 0;
 };

@@ -30,8 +30,8 @@ struct BehaviorDrive {
   Pose2 pose;
   Twist2 twist;
   BehaviorStep last;
-  double time = 0.0;    ///< [s] at the end
-  double turned = 0.0;  ///< [rad], whole turns counted
+  double time = 0.0;     ///< [s] at the end
+  double rotated = 0.0;  ///< [rad], whole revolutions counted
   std::vector<Twist2> commands;
   double least_gap =
       1e9;  ///< [m] of the disc to obstacles and movers, to the instant the base has come to rest
@@ -92,7 +92,7 @@ struct BehaviorDrive {
       limiter.command(now, command);
       twist = base == Base::limiter ? limiter.step(now).twist : command;
       pose = advance_exact(pose, twist, 0.02);
-      turned += twist.omega * 0.02;
+      rotated += twist.omega * 0.02;
       look(time + 0.02 * (i + 1));
     }
   }

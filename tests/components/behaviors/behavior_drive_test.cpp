@@ -62,7 +62,7 @@ struct Room {
   std::vector<std::pair<double, Pose2>> poses;
   std::vector<std::pair<double, Twist2>> twists;
   std::vector<std::pair<double, Twist2>> muxed;
-  double turned = 0.0;
+  double rotated = 0.0;
   std::uint32_t contacts = 0;
 
   Pose2 at(double t) const {
@@ -95,15 +95,15 @@ struct Room {
  private:
   void see(const GroundTruth& truth, const Tick& tick) {
     const Pose2 pose = from_pose(truth.pose());
-    if (!poses.empty()) turned += wrap_angle(pose.theta - poses.back().second.theta);
+    if (!poses.empty()) rotated += wrap_angle(pose.theta - poses.back().second.theta);
     poses.emplace_back(seconds_since_start(tick.now), pose);
     twists.emplace_back(seconds_since_start(tick.now), from_twist(truth.twist()));
     contacts = truth.contacts();
   }
 };
 
-// Odometry of perfect encoders: a tick of one wheel is 0.5 mrad. The rest is what the robot still turns when
-// it counts as arrived, 5 mrad, and how it comes to rest.
+// Odometry of perfect encoders: a tick of one wheel is 0.5 mrad. The rest is what the robot still rotates
+// when it counts as arrived, 5 mrad, and how it comes to rest.
 TEST(BehaviorDrive, SpinsEndAtTheirAngle) {
   for (const double yaw : {1.57, -1.57, 3.0, -3.0, 6.28}) {
     Attempt attempt;
@@ -111,9 +111,9 @@ TEST(BehaviorDrive, SpinsEndAtTheirAngle) {
     room.acts[10] = [&](const Clients& c) { send_goal(c.spin, spin_goal<Nav2::Spin>(yaw, 12.0), attempt); };
     room.run(10.5);
     EXPECT_EQ(attempt.status, GoalStatus::succeeded) << yaw << " " << attempt.text;
-    EXPECT_NEAR(room.turned, yaw, 0.01);
+    EXPECT_NEAR(room.rotated, yaw, 0.01);
     EXPECT_LT(room.poses.back().second.position().norm(), 0.005);
-    RecordProperty("error_" + std::to_string(yaw), std::to_string(room.turned - yaw));
+    RecordProperty("error_" + std::to_string(yaw), std::to_string(room.rotated - yaw));
   }
 }
 

@@ -33,7 +33,7 @@ TEST(BringsContact, NotWhenStandingBringsItAsSoon) {
   problem.movers = {mover};
   EXPECT_FALSE(brings_contact(kStand, kStand, 0.0, problem));
   EXPECT_FALSE(brings_contact(kDrive, kStand, 0.0, problem)) << "it is away by then";
-  problem.movers[0].position = {1.0, -1.0};  // crosses the way at 1 s, where the robot is at 1 s
+  problem.movers[0].position = {1.0, -1.0};  // crosses the path at 1 s, where the robot is at 1 s
   EXPECT_TRUE(brings_contact(kDrive, kStand, 0.0, problem));
 }
 

@@ -85,19 +85,19 @@ TEST(TravelCollision, SomebodyWhoIsExpectedToTurnAwayEndsNothing) {
 
 TEST(TravelCollision, WhatIsTooNearBlocksOnlyMotionsTowardsIt) {
   // 5 cm inside of the disc, ahead: as a costmap shows it whose cells are coarse.
-  for (const auto& place : {Vector2{0.25, 0.0}, Vector2{0.2, 0.15}}) {
+  for (const auto& position : {Vector2{0.25, 0.0}, Vector2{0.2, 0.15}}) {
     BehaviorDrive away;
-    away.obstacles.points = {place};
+    away.obstacles.points = {position};
     back_up(away, 0.3, 0.2);
     EXPECT_EQ(away.last.state, State::succeeded) << away.last.text;
     BehaviorDrive towards;
-    towards.obstacles.points = {place};
+    towards.obstacles.points = {position};
     drive(towards, 0.3, 0.2);
     EXPECT_EQ(towards.last.error, BehaviorError::collision_ahead);
     EXPECT_NEAR(towards.pose.x, 0.0, 1e-9);
     // And what is behind counts as ever.
     BehaviorDrive between;
-    between.obstacles.points = {place, {-0.45, 0.0}};
+    between.obstacles.points = {position, {-0.45, 0.0}};
     back_up(between, 0.3, 0.2);
     EXPECT_EQ(between.last.error, BehaviorError::collision_ahead);
   }
@@ -115,8 +115,8 @@ TEST(TravelCollision, WhoWalksAgainstTheRobotBlocksNoMotionThatLeadsAway) {
   EXPECT_EQ(towards.last.error, BehaviorError::collision_ahead);
 }
 
-// A disc that turns goes nowhere; a box of 0.5 x 0.2 m sweeps a disc of 0.54 m, and a post stands at 0.4 m to
-// its side.
+// A disc that rotates goes nowhere; a box of 0.5 x 0.2 m sweeps a disc of 0.54 m, and a post stands at 0.4 m
+// to its side.
 TEST(TravelCollision, SpinLooksAtTheOutline) {
   const auto spin = [](BehaviorDrive& d) {
     d.run(*make_spin({.target_yaw = 1.57}, d.options, BehaviorDrive::begin()));
@@ -133,9 +133,9 @@ TEST(TravelCollision, SpinLooksAtTheOutline) {
   };
   spin(box);
   EXPECT_EQ(box.last.error, BehaviorError::collision_ahead);
-  // The corner at atan(0.2 / 0.5) = 0.38 rad, 0.539 m away, meets y = 0.4 at x = 0 when it has turned by
+  // The corner at atan(0.2 / 0.5) = 0.38 rad, 0.539 m away, meets y = 0.4 at x = 0 when it has rotated by
   // about pi/2 - 0.38 = 1.19 rad less what its front edge leads: before that it stops.
-  EXPECT_LT(box.turned, 1.0);
+  EXPECT_LT(box.rotated, 1.0);
 }
 
 TEST(TravelCollision, ChecksThatAreDisabledAreDisabled) {

@@ -40,7 +40,7 @@ TEST_P(OnTarget, SpinEndsAtTheAngleAskedForAtRest) {
     d.options.cycle_frequency = std::get<1>(GetParam());
     d.run(*spin(d, yaw));
     EXPECT_EQ(d.last.state, State::succeeded) << yaw << " " << d.last.text;
-    EXPECT_NEAR(d.turned, yaw, kEnd);
+    EXPECT_NEAR(d.rotated, yaw, kEnd);
     EXPECT_NEAR(d.last.traveled, yaw, kEnd);
     EXPECT_EQ(d.twist, Twist2{}) << yaw;
     EXPECT_EQ(d.pose.position(), Vector2(2.0, -1.0));
@@ -115,10 +115,10 @@ TEST(Travel, RandomGoalsKeepTheLimitsAndEndWithinTheirAllowance) {
     if (d.base == Base::limiter) d.start_twist = {uniform(0.0, limits.v_max), uniform(-0.3, 0.3)};
     d.options.min_rotational_vel = uniform(0.0, 0.3);
     const double allowance = uniform(0.2, 15.0);
-    const bool turns = uniform(0, 1) < 0.5;
+    const bool is_rotation = uniform(0, 1) < 0.5;
     const double size = uniform(-4.0, 4.0);
-    const auto behavior =
-        turns ? spin(d, size, allowance) : drive(d, size, std::copysign(uniform(0.02, 2.0), size), allowance);
+    const auto behavior = is_rotation ? spin(d, size, allowance)
+                                      : drive(d, size, std::copysign(uniform(0.02, 2.0), size), allowance);
     d.run(*behavior);
     ASSERT_NE(d.last.state, State::running) << trial;
     ASSERT_EQ(d.commands.back(), Twist2{});
@@ -138,8 +138,9 @@ TEST(Travel, RandomGoalsKeepTheLimitsAndEndWithinTheirAllowance) {
     }
     if (d.last.state == State::succeeded) {
       ++succeeded;
-      // The slowest turn goes on for the lag of the base before it ends.
-      ASSERT_NEAR(d.last.traveled, turns ? size : std::abs(size), 0.01 + 0.1 * d.options.min_rotational_vel)
+      // The slowest rotation goes on for the lag of the base before it ends.
+      ASSERT_NEAR(d.last.traveled, is_rotation ? size : std::abs(size),
+                  0.01 + 0.1 * d.options.min_rotational_vel)
           << trial;
     } else {
       ++timed_out;

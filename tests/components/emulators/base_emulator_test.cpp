@@ -97,8 +97,8 @@ TEST(BaseEmulator, AKobukiStandsAtTheStartAndTellsItEvery20Milliseconds) {
 }
 
 TEST(BaseEmulator, AKobukiDrivesWhatItIsToldAndCountsItThroughTheWrap) {
-  // 0.3 m/s for the last 4 of 5 s: 1.2 m and 11724.4 ticks/m (2578 a turn: 11722.9), less what the start
-  // takes; the counters begin 1000 below their wrap.
+  // 0.3 m/s for the last 4 of 5 s: 1.2 m and 11724.4 ticks/m (2578 a revolution: 11722.9), less what the
+  // start takes; the counters begin 1000 below their wrap.
   Host host;
   host.talk = [](double time) { return time >= 1.0 ? kKobukiForward : Bytes{}; };
   run({.world = ", drive: {slip: 0.02, noise: 0.00003, first_tick: 64536}"}, 5.0, host);

@@ -12,11 +12,11 @@
 namespace bw::emulators {
 namespace {
 
-/// Turned wheels: 144 ticks a turn, as the blue board counts.
+/// Rotated wheels: 144 ticks a revolution, as the blue board counts.
 const Robot kRobot{.wheel_radius = 0.0762, .wheel_separation = 0.39, .ticks_per_revolution = 144};
 const double kMetresPerPosition = 2.0 * std::numbers::pi * 0.0762 / 144.0;
 
-/// A board on a floor where wheels turn as its motors say, in steps of 10 ms.
+/// A board on a floor where wheels rotate as its motors say, in steps of 10 ms.
 class Bench {
  public:
   explicit Bench(const EddieOptions& options = {}) : firmware_(options, kRobot) { step(); }
@@ -47,7 +47,7 @@ class Bench {
   }
   double left() const { return left_; }
   double right() const { return right_; }
-  void place(double left, double right) { left_ = left, right_ = right; }
+  void set_wheels(double left, double right) { left_ = left, right_ = right; }
   WheelSpeeds motors() const { return firmware_.motors(); }
 
   Body body;
@@ -107,14 +107,14 @@ TEST(EddieFirmware, TheOlderBoardKnowsLess) {
   EXPECT_EQ(bench.ask("WATCH 1"), "ERROR - Invalid command\r");
   EXPECT_EQ(bench.ask("ACC 100"), "ERROR - Invalid parameter\r");
   EXPECT_EQ(bench.ask("TRVL 10 80"), "ERROR - Invalid parameter\r");
-  bench.place(144.0, -8.0);  // ticks of 144 a turn: one turn is 36 of its positions, -8 are -2
+  bench.set_wheels(144.0, -8.0);  // 144 ticks a revolution: one is 36 of its positions, -8 are -2
   bench.step();
   EXPECT_EQ(bench.ask("DIST"), "00000024 FFFFFFFE\r");
 }
 
 TEST(EddieFirmware, CountsInTwosComplementSinceReset) {
   Bench bench;
-  bench.place(-113.0, 4096.0);
+  bench.set_wheels(-113.0, 4096.0);
   EXPECT_EQ(bench.ask("DIST"), "FFFFFF8F 00001000\r");
   bench.ask("RST");
   EXPECT_EQ(bench.ask("DIST"), "00000000 00000000\r");
@@ -123,11 +123,11 @@ TEST(EddieFirmware, CountsInTwosComplementSinceReset) {
 
 TEST(EddieFirmware, HeadingCountsClockwise) {
   // Left 30, right -30 positions: 60 * 3.3249 mm / 0.39 m = 0.5115 rad = 29.3 deg clockwise, 0x1D; the other
-  // way 360 - 29.3 = 0x14B.
+  // direction 360 - 29.3 = 0x14B.
   Bench bench;
-  bench.place(30.0, -30.0);
+  bench.set_wheels(30.0, -30.0);
   EXPECT_EQ(bench.ask("HEAD"), "01D\r");
-  bench.place(-30.0, 30.0);
+  bench.set_wheels(-30.0, 30.0);
   EXPECT_EQ(bench.ask("HEAD"), "14B\r");
 }
 

@@ -64,8 +64,8 @@ TEST(Faults, ChangeWhatTheBoardSees) {
 }
 
 TEST(Faults, HoldOrDriveWheels) {
-  EXPECT_EQ(turned_with({0.2, 0.3}, {}), (WheelSpeeds{0.2, 0.3}));
-  EXPECT_EQ(turned_with({0.2, 0.3}, {.runaway_left = -0.5, .stalled_right = true}), (WheelSpeeds{-0.5, 0.0}));
+  EXPECT_EQ(with_faults({0.2, 0.3}, {}), (WheelSpeeds{0.2, 0.3}));
+  EXPECT_EQ(with_faults({0.2, 0.3}, {.runaway_left = -0.5, .stalled_right = true}), (WheelSpeeds{-0.5, 0.0}));
 }
 
 }  // namespace

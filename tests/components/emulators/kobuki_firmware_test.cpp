@@ -191,7 +191,7 @@ TEST(KobukiFirmware, GyroComesInFramesOfTwoOrThreeSamples) {
   // 0.02).
   const double mean = std::accumulate(rates.begin(), rates.end(), 0.0) / static_cast<double>(rates.size());
   EXPECT_NEAR(mean, 28.648 + 0.5, 0.02);
-  // After 4 s it has turned by 114.59 deg, and tells it without the bias.
+  // After 4 s it has rotated by 114.59 deg, and tells it without the bias.
   const Bytes inertia = part(last, 0x04);
   EXPECT_NEAR(static_cast<std::int16_t>(inertia[0] | inertia[1] << 8), 11'459, 2);
   EXPECT_NEAR(static_cast<std::int16_t>(inertia[2] | inertia[3] << 8), 2'865, 1);

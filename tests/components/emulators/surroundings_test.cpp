@@ -8,7 +8,7 @@
 namespace bw::emulators {
 namespace {
 
-/// A wall along x = 1, and a robot of 0.2 m radius that stands 5 mm from it, turned by `heading`.
+/// A wall along x = 1, and a robot of 0.2 m radius that stands 5 mm from it, rotated by `heading`.
 ContactReading at_the_wall(double heading, double gap = 0.01) {
   const StaticScene scene({.points = {}, .discs = {}, .segments = {{{1.0, -5.0}, {1.0, 5.0}}}}, std::nullopt);
   return touched({0.795, 0.0, heading}, 0.2, gap, scene, {});

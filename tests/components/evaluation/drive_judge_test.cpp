@@ -44,8 +44,9 @@ TEST(DriveJudge, ARunWithoutAGoalIsScoredWhole) {
   Drive d;
   d.judge.begin_run(at(0.0));
   d.drive(0.0, 2.0, 0.0);
-  TruthSample place{.time = at(2.5), .X_MB = {3.0, 0.0, std::nan("")}, .twist = {std::nan(""), std::nan("")}};
-  d.judge.on_truth(place);
+  TruthSample position{
+      .time = at(2.5), .X_MB = {3.0, 0.0, std::nan("")}, .twist = {std::nan(""), std::nan("")}};
+  d.judge.on_truth(position);
   d.judge.end_run(at(2.5));
   const ScoreCard& card = d.judge.card();
   EXPECT_TRUE(card.finished);

@@ -145,8 +145,8 @@ TEST(EvaluationComponent, JudgesByTheNavigatorsTolerance) {
   EXPECT_FALSE(reached("{goal_tolerance: 0.2}", 1.0));
 }
 
-// Beside a recording: no goal, a reference of places alone at 10 Hz, an opinion 0.25 m to the left of it at
-// 20 Hz.
+// Beside a recording: no goal, a reference of positions alone at 10 Hz, an opinion 0.25 m to the left of it
+// at 20 Hz.
 TEST(Evaluation, ScoresAWholeRunAgainstAReferenceWithoutHeading) {
   const std::filesystem::path svg = std::filesystem::path(::testing::TempDir()) / "recorded_run.svg";
   std::vector<ScoreCard> list;
@@ -294,7 +294,7 @@ TEST(Evaluation, TellsComfortByTracksWhereThereIsNoTruth) {
   }
 }
 
-// Nobody around: infinitely far. A place that is no number is not told of.
+// Nobody around: infinitely far. A position that is no number is not told of.
 TEST(Evaluation, TellsNothingOfATruthThatIsNone) {
   const auto list = comforts(
       [](bw::Setup& setup) {

@@ -36,14 +36,14 @@ TEST(PoseErrors, CarriesTheTruthToTheStampOfTheEstimate) {
 // the estimate comes.
 TEST(PoseErrors, InterpolatesATruthWithoutSpeedAndHeading) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-  const auto place = [](double seconds, double x) { return truth(seconds, {x, 0.0, kNan}, {kNan, kNan}); };
+  const auto position = [](double seconds, double x) { return truth(seconds, {x, 0.0, kNan}, {kNan, kNan}); };
   PoseErrors errors;
-  errors.set_truth(place(1.0, 0.0));
+  errors.set_truth(position(1.0, 0.0));
   errors.add(after_start(1.0), {0.0, 0.1, 3.0});  // at its moment
   errors.add(after_start(1.1), {0.5, 0.3, 3.0});  // waits
   errors.add(after_start(1.2), {1.0, 0.2, 3.0});  // waits for its moment
   EXPECT_EQ(errors.count(), 1);
-  errors.set_truth(place(1.2, 1.0));
+  errors.set_truth(position(1.2, 1.0));
   EXPECT_EQ(errors.count(), 3);
   errors.add(after_start(1.15), {0.75, 0.4, 3.0});  // late
   EXPECT_EQ(errors.count(), 4);
@@ -51,7 +51,7 @@ TEST(PoseErrors, InterpolatesATruthWithoutSpeedAndHeading) {
   EXPECT_NEAR(errors.max_position(), 0.4, 1e-12);
   EXPECT_TRUE(std::isnan(errors.rms_heading()));
   errors.add(after_start(1.5), {0.0, 0.0, 0.0});
-  errors.set_truth(place(1.8, 9.0));  // 0.6 s without a word
+  errors.set_truth(position(1.8, 9.0));  // 0.6 s without a word
   EXPECT_EQ(errors.count(), 4);
   errors.set_truth(truth(2.0, {9.0, 0.0, 0.5}, {1.0, 0.0}));  // speed and heading from here on
   errors.add(after_start(2.0), {9.0, 0.0, 0.75});

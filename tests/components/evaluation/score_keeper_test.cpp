@@ -179,7 +179,7 @@ TEST(ScoreKeeper, AClaimWithoutATruthIsNotKnown) {
   for (const bool had_a_truth : {false, true}) {
     ScoreKeeper keeper = started(0.0, {10.0, 0.0});
     if (had_a_truth) keeper.add(sample(1.0, 2.0, 1.0));
-    keeper.lose_place();
+    keeper.lose_pose();
     keeper.finish(Time::seconds(10.0), true, "reached");
     EXPECT_FALSE(keeper.card().reached);
     EXPECT_FALSE(keeper.card().is_outcome_known);
@@ -216,14 +216,14 @@ TEST(ScoreKeeper, OnlyTheDriveCountsAndANewOneBeginsAfresh) {
   EXPECT_FALSE(keeper.card().finished);
 }
 
-// A reference may know places alone: the way is theirs, and nothing becomes NaN by what it does not know.
+// A reference may know positions alone: the path is theirs, and nothing becomes NaN by what it does not know.
 TEST(ScoreKeeper, ATruthWithoutHeadingAndSpeedIsScoredByItsPlaces) {
   ScoreKeeper keeper = started();
   for (int i = 0; i <= 10; ++i) {
-    TruthSample place = sample(1.0 + 0.5 * i, 0.25 * i, 0.5);
-    place.X_MB.theta = std::nan("");
-    place.twist = {std::nan(""), std::nan("")};
-    keeper.add(place);
+    TruthSample position = sample(1.0 + 0.5 * i, 0.25 * i, 0.5);
+    position.X_MB.theta = std::nan("");
+    position.twist = {std::nan(""), std::nan("")};
+    keeper.add(position);
   }
   EXPECT_NEAR(keeper.card().path_length, 2.5, 1e-12);
   EXPECT_NEAR(keeper.card().mean_speed, 2.5 / keeper.card().time_to_goal, 1e-12);

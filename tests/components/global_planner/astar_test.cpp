@@ -88,10 +88,10 @@ TEST(AStar, StepsAreAllowedAndCostsAddUp) {
       const GridCell& b = path.cells[i];
       ASSERT_EQ(std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)), 1);
       ASSERT_TRUE(grid.free(b.x, b.y));
-      // In narrow cells the way from place to place counts, and the robot may reach into a blocked cell's
-      // corner.
+      // In narrow cells the path from position to position counts, and the robot may reach into a blocked
+      // cell's corner.
       if (grid.narrow(a.x, a.y) != nullptr || grid.narrow(b.x, b.y) != nullptr) {
-        ASSERT_TRUE(grid.holds((grid.place(a.x, a.y) + grid.place(b.x, b.y)) / 2.0));
+        ASSERT_TRUE(grid.holds((grid.position(a.x, a.y) + grid.position(b.x, b.y)) / 2.0));
       } else {
         ASSERT_TRUE(grid.free(a.x, b.y) && grid.free(b.x, a.y));
       }

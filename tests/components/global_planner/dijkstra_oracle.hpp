@@ -1,5 +1,5 @@
 // An independent answer to "what does the cheapest path cost": Dijkstra in doubles, distances by brute force.
-// Of narrow cells it takes the grid's word for the place, and checks the clearance there.
+// Of narrow cells it takes the grid's word for the position, and checks the clearance there.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ class DijkstraOracle {
     for (int row = 0; row < map.height; ++row) {
       for (int column = 0; column < map.width; ++column) {
         const NarrowCell* narrow = grid.narrow(column + 1, row + 1);
-        const Vector2 from = narrow == nullptr ? map.center(column, row) : narrow->place;
+        const Vector2 from = narrow == nullptr ? map.center(column, row) : narrow->position;
         double nearest = std::numeric_limits<double>::infinity();
         for (int r = std::max(row - reach, 0); r <= std::min(row + reach, map.height - 1); ++r) {
           for (int c = std::max(column - reach, 0); c <= std::min(column + reach, map.width - 1); ++c) {
@@ -92,9 +92,9 @@ class DijkstraOracle {
       const std::int8_t value = map_.at(c + dc, r + dr);
       if (!(value < 0 ? options.unknown_is_obstacle : value >= options.occupied_at)) continue;
       const Vector2 a = map_.center(c, r);
-      const Vector2 way = map_.center(c + dc, r + dr) - a;
-      const double share = std::clamp((from - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
-      nearest = std::min(nearest, (from - a - share * way).norm());
+      const Vector2 step = map_.center(c + dc, r + dr) - a;
+      const double share = std::clamp((from - a).dot(step) / step.squaredNorm(), 0.0, 1.0);
+      nearest = std::min(nearest, (from - a - share * step).norm());
     }
     return nearest;
   }

@@ -26,7 +26,7 @@ OccupancyGrid floor_of(double side) {
   return map;
 }
 
-/// Across the floor, along y before it is turned by `angle` about `center`: two thin walls with a gap, and
+/// Across the floor, along y before it is rotated by `angle` about `center`: two thin walls with a gap, and
 /// two more that make a corridor of `length` of it.
 StaticObstacles barrier(const Vector2& center, double angle, double width, double length) {
   const Pose2 X{center.x(), center.y(), angle};
@@ -62,8 +62,8 @@ struct Gap {
 
 class NarrowGap : public testing::TestWithParam<Gap> {};
 
-// 2 cm to either side, thirty places of the gap between the middles of cells: passed each time, and wherever
-// the path leads the rectangle fits to a millimetre in some heading.
+// 2 cm to either side, thirty positions of the gap between the middles of cells: passed each time, and
+// wherever the path leads the rectangle fits to a millimetre in some heading.
 TEST_P(NarrowGap, IsPassedWhereTheRectangleFitsByTwoCentimetres) {
   Random random(18);
   const OccupancyGrid map = floor_of(6.0);
@@ -106,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(Angles, NarrowGap,
                                          Gap{"Corridor90", std::numbers::pi / 2.0, 1.2}),
                          [](const auto& test) { return std::string(test.param.name); });
 
-// Wide enough for the rectangle, not for the disc around it (0.667 m): the disc is told that no way leads
+// Wide enough for the rectangle, not for the disc around it (0.667 m): the disc is told that no path leads
 // there.
 TEST(NarrowGapOfADisc, IsNotThatOfTheRectangle) {
   const Footprint disc{rectangle().radius, {}};
@@ -134,22 +134,22 @@ TEST(FreeHeadings, AreThoseOfEachHeadingAlone) {
   int free = 0;
   for (int i = 0; i < 500; ++i) {
     const std::vector<Capsule> obstacles = random_obstacles(random);
-    const Vector2 place(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5));
+    const Vector2 position(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5));
     std::uint64_t expected = 0;
     for (int k = 0; k < kHeadings; ++k) {
-      const Pose2 pose{place.x(), place.y(), k * kHeadingStep};
+      const Pose2 pose{position.x(), position.y(), k * kHeadingStep};
       const bool is_free = std::ranges::all_of(
           obstacles, [&](const Capsule& obstacle) { return gap_to(rectangle(), pose, obstacle) >= 0.0; });
       if (is_free) expected |= std::uint64_t{1} << k;
     }
-    EXPECT_EQ(free_headings(rectangle(), place, obstacles), expected);
+    EXPECT_EQ(free_headings(rectangle(), position, obstacles), expected);
     free += expected != 0 && expected != kAllHeadings ? 1 : 0;
   }
   EXPECT_GT(free, 20);  // of 500: else it was no test
 }
 
-// Against 65 x 65 places of the cell.
-TEST(BestPlace, HasTheClearanceThatTheCellOffers) {
+// Against 65 x 65 positions of the cell.
+TEST(BestPosition, HasTheClearanceThatTheCellOffers) {
   Random random(21);
   double worst = 0.0;
   for (int i = 0; i < 500; ++i) {
@@ -160,9 +160,9 @@ TEST(BestPlace, HasTheClearanceThatTheCellOffers) {
       for (int x = -32; x <= 32; ++x)
         most = std::max(most, clearance_of(center + 0.05 / 64.0 * Vector2(x, y), obstacles));
     }
-    const NarrowCell best = best_place(center, 0.05, obstacles);
-    EXPECT_LE((best.place - center).cwiseAbs().maxCoeff(), 0.025 + 1e-12);
-    EXPECT_DOUBLE_EQ(best.clearance, clearance_of(best.place, obstacles));
+    const NarrowCell best = best_position(center, 0.05, obstacles);
+    EXPECT_LE((best.position - center).cwiseAbs().maxCoeff(), 0.025 + 1e-12);
+    EXPECT_DOUBLE_EQ(best.clearance, clearance_of(best.position, obstacles));
     worst = std::max(worst, most - best.clearance);
   }
   std::printf("best place: at most %.4f m below the best of the cell\n", worst);

@@ -98,7 +98,7 @@ TEST(PathActions, APathIsFoundFromTheRobotOrFromAStart) {
   const auto ends = ends_of<ToPose>(
       {}, "compute_path_to_pose",
       {to(pose(4.0, 3.0)), to(pose(4.0, 3.0), "GridBased"), from_to(pose(2.0, 1.0), pose(2.0, 5.0)),
-       // In odom, which is turned by a right angle at (1, 3): (2, 3). Known at 0.5 s, asked for at 0.2 s
+       // In odom, which is rotated by a right angle at (1, 3): (2, 3). Known at 0.5 s, asked for at 0.2 s
        // after it.
        to(pose(0.0, -1.0, "odom", 0.5)), to(pose(0.0, -1.0, "odom")), to(pose(0.0, -1.0, "odom", 0.7))});
   for (const auto& end : ends) {
@@ -162,10 +162,10 @@ TEST(PathActions, WithoutAMapOrAPlaceThereIsNoPath) {
   const auto no_map = ends_of<ToPose>({.has_map = false}, "compute_path_to_pose", {to(pose(2.0, 3.0))});
   EXPECT_EQ(no_map[0].result.error_code(), 207);
   EXPECT_EQ(no_map[0].result.error_msg(), "there is no map yet");
-  const auto no_place =
-      ends_of<ToPose>({.knows_its_place = false}, "compute_path_to_pose", {to(pose(2.0, 3.0))});
-  EXPECT_EQ(no_place[0].result.error_code(), 202);
-  EXPECT_EQ(no_place[0].result.error_msg(),
+  const auto no_pose =
+      ends_of<ToPose>({.knows_its_pose = false}, "compute_path_to_pose", {to(pose(2.0, 3.0))});
+  EXPECT_EQ(no_pose[0].result.error_code(), 202);
+  EXPECT_EQ(no_pose[0].result.error_msg(),
             "the robot's place is not known: no transform from base_link to map");
 }
 
@@ -253,7 +253,7 @@ TEST(PlanRequests, GoThroughViaPoses) {
 TEST(PlanRequests, MayBeAskedAgainWhileThePlaceIsNotKnown) {
   bandwagon_msgs::msg::PlanRequest request;
   request.goal(pose(3.0, 3.0));
-  const auto results = answers_to(request, {.knows_its_place = false});
+  const auto results = answers_to(request, {.knows_its_pose = false});
   ASSERT_EQ(results.size(), 1U);
   EXPECT_EQ(results[0].status(), bandwagon_msgs::msg::PlanResult_Constants::FAILED);
   EXPECT_EQ(results[0].reason(), "the robot's place is not known: no transform from base_link to map");

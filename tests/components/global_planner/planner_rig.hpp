@@ -1,6 +1,6 @@
 // The planner in lock-step, in a world of its own. Map: 10 x 6 m, cells of 0.1 m, a wall one cell thick at x
 // = 5.0 to 5.1 m, a block of 2 x 2 m in the corner at (10, 6); the
-// robot, of 0.3 m, stands at (1, 3). Odometry began elsewhere: odom is turned by a right angle.
+// robot, of 0.3 m, stands at (1, 3). Odometry began elsewhere: odom is rotated by a right angle.
 #pragma once
 
 #include <functional>
@@ -33,7 +33,7 @@ inline OccupancyGrid floor_with_wall() {
 
 struct PlannerWorld {
   bool has_map = true;
-  bool knows_its_place = true;
+  bool knows_its_pose = true;
   std::string distro = "jazzy";
   Pose2 X_OB{};      ///< of the robot in odom
   std::string more;  ///< further components, in YAML, indented by two
@@ -53,7 +53,7 @@ inline void run_planner(const PlannerWorld& world, const std::function<void(Setu
                  tf = setup.output<tf2_msgs::msg::TFMessage>("/tf", Qos::tf())](const Tick& tick) {
                   if (tick.sequence == 0 && world.has_map)
                     map.publish(to_message(floor_with_wall(), "map", tick.now));
-                  if (!world.knows_its_place) return;
+                  if (!world.knows_its_pose) return;
                   tf2_msgs::msg::TFMessage message;
                   message.transforms().push_back(to_transform("map", "odom", tick.now, kX_MO));
                   message.transforms().push_back(to_transform("odom", "base_link", tick.now, world.X_OB));

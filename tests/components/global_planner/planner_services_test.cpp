@@ -75,7 +75,7 @@ TEST(PlannerServices, IsPathValidRefusesWhatIsNoPath) {
   EXPECT_THAT(answers[3].invalid_pose_indices(), ElementsAre(99'999));
   EXPECT_FALSE(validity({.has_map = false}, {path_in("map", {{2.0, 3.0, 0.0}})})[0].is_valid());
   // Not knowing where the robot is, it looks at all of the path.
-  EXPECT_THAT(validity({.knows_its_place = false}, {path_in("map", {{5.05, 3.0, 0.0}, {2.0, 3.0, 0.0}})})[0]
+  EXPECT_THAT(validity({.knows_its_pose = false}, {path_in("map", {{5.05, 3.0, 0.0}, {2.0, 3.0, 0.0}})})[0]
                   .invalid_pose_indices(),
               ElementsAre(0));
 }

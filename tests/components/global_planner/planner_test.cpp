@@ -36,8 +36,8 @@ Planner planner_on(const OccupancyGrid& map, GlobalPlannerOptions options = {}) 
   return planner;
 }
 
-// The shortest way around the door's lower post is longer than 8 m and shorter than the octile detour through
-// (5, 4.5).
+// The shortest path around the door's lower post is longer than 8 m and shorter than the octile detour
+// through (5, 4.5).
 TEST(Planner, GoesThroughTheDoor) {
   Planner planner = planner_on(two_rooms());
   const PathResult result = planner.plan({1.0, 1.0, 0.3}, {9.0, 1.0, 2.0});
@@ -86,10 +86,10 @@ TEST(Planner, PlansThroughStopsInTheirOrder) {
   EXPECT_EQ(result.path[40], stops[0]);
   EXPECT_EQ(result.path[60], stops[1]);
   EXPECT_EQ(result.path[100], stops[2]);
-  // A stop where the last one was is a turn there.
-  const PathResult turn = planner.plan_through({1.0, 2.0, 0.0}, {{5.0, 2.0, 1.0}, {5.0, 2.0, 2.0}});
-  ASSERT_EQ(turn.path.size(), 41u);
-  EXPECT_EQ(turn.path.back(), (Pose2{5.0, 2.0, 2.0}));
+  // A stop where the last one was is a rotation there.
+  const PathResult rotation = planner.plan_through({1.0, 2.0, 0.0}, {{5.0, 2.0, 1.0}, {5.0, 2.0, 2.0}});
+  ASSERT_EQ(rotation.path.size(), 41u);
+  EXPECT_EQ(rotation.path.back(), (Pose2{5.0, 2.0, 2.0}));
 }
 
 TEST(Planner, APathThroughStopsIsWholeOrNotThere) {

@@ -26,7 +26,7 @@ struct Seen {
   Time received;
 };
 
-/// In the corner of a room of 8 x 5 m, turned by 0.4 rad, with a pillar; without noise. `laser`: more of the
+/// In the corner of a room of 8 x 5 m, rotated by 0.4 rad, with a pillar; without noise. `laser`: more of the
 /// robot's section, `emulator`: parameters.
 std::string graph(const std::string& laser = ", beams: 360", const std::string& emulator = "",
                   const std::string& sensor = "laser") {
@@ -107,8 +107,8 @@ TEST(LaserComponent, TellsWhatTheWorldShows) {
   EXPECT_LT(error, 0.012) << "the mean; most of it at the pillar's edges";
 }
 
-// A turn is 1/7 s, known to a measurement or two (0.5 ms each, and 5 ms of polling that count back by them);
-// beam 0 was the last of a turn and came at once.
+// A revolution is 1/7 s, known to a measurement or two (0.5 ms each, and 5 ms of polling that count back by
+// them); beam 0 was the last of a revolution and came at once.
 TEST(LaserComponent, MeasuresItsOwnTime) {
   const Heard heard = run(graph(), 3.0);
   ASSERT_GE(heard.laser.size(), 3U);
@@ -126,8 +126,8 @@ TEST(LaserComponent, MeasuresItsOwnTime) {
   }
 }
 
-// Pulled at 2 s, put back at 3 s: nothing in between, but for the turn that was just over; the device is
-// there again at once, since its head turned on.
+// Pulled at 2 s, put back at 3 s: nothing in between, but for the revolution that was just over; the device
+// is there again at once, since its head rotated on.
 TEST(LaserComponent, APulledCableIsSilenceAndThenScans) {
   const Heard heard = run(graph("", "faults: {cable_pulled: true, from: 2.0, until: 3.0}"), 5.0);
   const auto between = [&](double from, double until) {

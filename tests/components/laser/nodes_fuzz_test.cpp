@@ -49,7 +49,7 @@ double range_at(Scene scene, double degrees, double distance, Random& random) {
   return 0.0;
 }
 
-/// A head that turns by about a degree a node.
+/// A head that rotates by about a degree a node.
 Bytes sound_stream(Random& random, Scene scene, int nodes) {
   Bytes bytes = {0xA5, 0x5A, 0x05, 0x00, 0x00, 0x40, 0x81};
   const double first = random.uniform(0.0, 359.0);

@@ -85,10 +85,10 @@ TEST(RplidarDevice, ObeysTheMotorAndTheReset) {
   bench.ask({0xA5, 0xF0, 0x02, 0x58, 0x02, 0x0E});
   bench.run(1.0);
   EXPECT_EQ(bench.device.refused_requests(), 1U);
-  EXPECT_EQ(bench.device.turn_rate(), 0.0);
+  EXPECT_EQ(bench.device.revolution_rate(), 0.0);
   bench.ask({0xA5, 0xF0, 0x02, 0x58, 0x02, 0x0D});
   bench.run(1.0);
-  EXPECT_NEAR(bench.device.turn_rate(), 7.0, 1e-6);
+  EXPECT_NEAR(bench.device.revolution_rate(), 7.0, 1e-6);
   bench.ask({0xA5, 0x40});
   EXPECT_TRUE(bench.ask({0xA5, 0x50}).empty());
   EXPECT_FALSE(bench.run(0.6).empty()) << "greets";

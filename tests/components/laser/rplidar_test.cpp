@@ -107,7 +107,7 @@ TEST(Rplidar, ScansAndSaysWhatItIs) {
   EXPECT_EQ(status.level, Level::good) << status.text;
   ASSERT_TRUE(rig.host.info());
   EXPECT_EQ(rig.host.info()->family(), Model::a1);
-  // 7 Hz of 2000 measurements a second: 285.7 in a turn. Ends are known to one of them.
+  // 7 Hz of 2000 measurements a second: 285.7 in a revolution. Ends are known to one of them.
   EXPECT_NEAR(status.rate, 7.0, 7.0 / 285.0);
   EXPECT_NEAR(static_cast<double>(status.points), 285.7, 1.0);
   ASSERT_GE(rig.revolutions.size(), 12U) << "(3 s - 0.6 s of spin-up - first part of a turn) x 7";
@@ -146,7 +146,7 @@ TEST(Rplidar, LetsTheMotorOfAnA1RunByDtr) {
   EXPECT_TRUE(other.cable.dtr) << "an A2's motor does not hang on it";
 }
 
-// An A2 is told how fast to turn: PWM 600 = 0258h, A5^F0 = 55, ^02 = 57, ^58 = 0F, ^02 = 0D.
+// An A2 is told how fast to rotate: PWM 600 = 0258h, A5^F0 = 55, ^02 = 57, ^58 = 0F, ^02 = 0D.
 TEST(Rplidar, TellsTheMotorOfAnA2) {
   Rig rig({.model = 0x28, .rate = 10.0, .sample_time = 250e-6});
   rig.run(3.0);
@@ -159,7 +159,7 @@ TEST(Rplidar, TellsTheMotorOfAnA2) {
   EXPECT_FALSE(rig.device.is_scanning());
   rig.host.stop(rig.now);
   rig.run(0.005);
-  EXPECT_LT(rig.device.turn_rate(), 10.0) << "slows down";
+  EXPECT_LT(rig.device.revolution_rate(), 10.0) << "slows down";
 }
 
 TEST(Rplidar, ASilentDeviceIsToldWithin300Ms) {

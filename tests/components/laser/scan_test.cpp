@@ -20,10 +20,10 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kDegree = kPi / 180.0;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// What a device sees that turns once in `nodes` nodes of 1 ms, two and a half times, from its 0 degrees on.
-/// `range_at` takes the angle as the device counts it, clockwise [rad].
-std::vector<Revolution> turn(const std::function<double(double)>& range_at, int nodes = 360,
-                             bool flip = false) {
+/// What a device sees that rotates once in `nodes` nodes of 1 ms, two and a half times, from its 0 degrees
+/// on. `range_at` takes the angle as the device counts it, clockwise [rad].
+std::vector<Revolution> revolve(const std::function<double(double)>& range_at, int nodes = 360,
+                                bool flip = false) {
   RevolutionCollector collector(flip);
   std::vector<Revolution> over;
   for (int i = 0; i < nodes * 5 / 2; ++i) {
@@ -46,7 +46,7 @@ float at(const Scan& scan, double degrees) {
 // The device begins at 0 degrees and is at the rear after half a turn, after one and a half, and at the end:
 // two whole revolutions, 360 ms each, from 180 degrees on.
 TEST(LaserRevolution, GoesFromRearToRear) {
-  const auto over = turn([](double) { return 2.0; });
+  const auto over = revolve([](double) { return 2.0; });
   ASSERT_EQ(over.size(), 1U) << "two and a half turns end just before the third time at the rear";
   // 180 degrees itself is the last angle before the rear; 181 is the first behind it, at node 181.
   EXPECT_EQ(over[0].first, Time::seconds(100.181));
@@ -64,7 +64,7 @@ TEST(LaserScan, SeesAWallAtTwoMetres) {
     const double range = std::cos(angle) > 1e-9 ? 2.0 / std::cos(angle) : 1e9;
     return range < 12.0 ? range : 0.0;
   };
-  const auto over = turn(wall);
+  const auto over = revolve(wall);
   ASSERT_EQ(over.size(), 1U);
   const Scan scan = to_scan(over[0], {.beams = 360});
   ASSERT_EQ(scan.ranges.size(), 360U);
@@ -84,7 +84,7 @@ TEST(LaserScan, SeesAWallAtTwoMetres) {
 TEST(LaserScan, InterpolatesAWallAlongItsSurface) {
   const auto wall = [](double angle) { return std::cos(angle) > 0.3 ? 2.0 / std::cos(angle) : 0.0; };
   for (const int beams : {181, 400, 720}) {
-    const auto over = turn(wall, 367);
+    const auto over = revolve(wall, 367);
     ASSERT_FALSE(over.empty());
     const Scan scan = to_scan(over[0], {.beams = beams});
     for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
@@ -101,31 +101,31 @@ TEST(LaserScan, RightIsRight) {
   const auto right = [](double angle) {
     return std::abs(angle - 90.0 * kDegree) < 5.0 * kDegree ? 1.5 : 0.0;
   };
-  const Scan scan = to_scan(turn(right).at(0), {});
+  const Scan scan = to_scan(revolve(right).at(0), {});
   EXPECT_FLOAT_EQ(at(scan, -90.0), 1.5F);
   EXPECT_EQ(at(scan, 90.0), kInfinity);
-  const Scan flipped = to_scan(turn(right, 360, true).at(0), {});
+  const Scan flipped = to_scan(revolve(right, 360, true).at(0), {});
   EXPECT_FLOAT_EQ(at(flipped, 90.0), 1.5F);
   EXPECT_EQ(at(flipped, -90.0), kInfinity);
 }
 
-// Beam 0 is at the rear, the last of a clockwise turn: 181 ms and a turn of 360 ms after the beginning. Ahead
-// is half a turn before that: the node at 0 degrees is number 360, at 100.360 s, and 181 + 180 = 361: the
-// turn is counted from the angle behind the rear.
+// Beam 0 is at the rear, the last of a clockwise revolution: 181 ms and a revolution of 360 ms after the
+// beginning. Ahead is half a turn before that: the node at 0 degrees is number 360, at 100.360 s, and 181 +
+// 180 = 361: the revolution is counted from the angle behind the rear.
 TEST(LaserScan, KnowsWhenABeamWasTaken) {
-  const Scan scan = to_scan(turn([](double) { return 2.0; }).at(0), {.beams = 360});
+  const Scan scan = to_scan(revolve([](double) { return 2.0; }).at(0), {.beams = 360});
   EXPECT_NEAR(scan.scan_time, 0.360, 1e-9);
   EXPECT_NEAR(scan.time_increment, -0.001, 1e-9);
   EXPECT_EQ(scan.time, Time::seconds(100.541));
   EXPECT_NEAR((scan.time - Time::seconds(100.360)).to_seconds() + 180.0 * scan.time_increment, 0.0, 0.0011);
-  const Scan flipped = to_scan(turn([](double) { return 2.0; }, 360, true).at(0), {.beams = 360});
+  const Scan flipped = to_scan(revolve([](double) { return 2.0; }, 360, true).at(0), {.beams = 360});
   EXPECT_NEAR(flipped.time_increment, 0.001, 1e-9);
   EXPECT_EQ(flipped.time, Time::seconds(100.181));
 }
 
 TEST(LaserScan, SaysWhatItDidNotSee) {
   const auto ranges = [](double angle) { return angle < kPi / 2 ? 0.0 : angle < kPi ? 0.1 : 14.0; };
-  const auto over = turn(ranges);
+  const auto over = revolve(ranges);
   const Scan scan = to_scan(over.at(0), {});
   EXPECT_EQ(at(scan, -45.0), kInfinity) << "nothing measured";
   EXPECT_EQ(at(scan, -135.0), -kInfinity) << "nearer than range_min";
@@ -136,7 +136,7 @@ TEST(LaserScan, SaysWhatItDidNotSee) {
 
 // 30 degrees of nodes lost: the beams there know nothing, and their neighbours go on.
 TEST(LaserScan, ABeamNobodyLookedAtIsUnknown) {
-  auto over = turn([](double) { return 2.0; });
+  auto over = revolve([](double) { return 2.0; });
   std::erase_if(over.at(0).samples, [](const Sample& sample) {
     return sample.angle > 30.5 * kDegree && sample.angle < 60.5 * kDegree;
   });
@@ -149,14 +149,14 @@ TEST(LaserScan, ABeamNobodyLookedAtIsUnknown) {
 // Nothing between a leg and the wall behind it: a beam halfway says one or the other.
 TEST(LaserScan, InventsNothingBetweenALegAndTheWall) {
   const auto leg = [](double angle) { return std::cos(angle) > std::cos(2.0 * kDegree) ? 2.0 : 4.0; };
-  const Scan scan = to_scan(turn(leg).at(0), {.beams = 720});
+  const Scan scan = to_scan(revolve(leg).at(0), {.beams = 720});
   for (const float range : scan.ranges) EXPECT_TRUE(range == 2.0F || range == 4.0F) << range;
 }
 
 // A chair's leg that one node of 1440 hits, on 360 beams of which none looks right at it.
 TEST(LaserScan, LosesNothingThin) {
   const auto leg = [](double angle) { return std::abs(angle - 10.25 * kDegree) < 0.1 * kDegree ? 1.0 : 4.0; };
-  const Scan scan = to_scan(turn(leg, 1440).at(0), {.beams = 360});
+  const Scan scan = to_scan(revolve(leg, 1440).at(0), {.beams = 360});
   EXPECT_FLOAT_EQ(at(scan, -10.0), 1.0F);
 }
 

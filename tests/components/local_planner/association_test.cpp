@@ -65,7 +65,7 @@ TEST(Associate, WhatIsNearTheBandCountsHoweverMuchIsNearTheRobot) {
   EXPECT_EQ(terms[27].at_pose[0].capsule.a, Vector2(8.1, 0.2));
 }
 
-// Movers standing on one spot are as near as can be, and more than a pose has places for.
+// Movers standing on one spot are as near as can be, and more than a pose has slots for.
 TEST(Associate, MoversTakeNoPlaceFromWallsNorWallsFromMovers) {
   StaticObstacles statics;
   std::vector<Mover> movers;
@@ -104,8 +104,8 @@ Capsule random_capsule(Random& random) {
   if (kind < 0.5) return {a, a, 0.0};
   if (kind < 0.7) return {a, a, random.uniform(0.0, 0.5)};
   const double length = kind < 0.9 ? 0.5 : 10.0;
-  const Vector2 way(random.uniform(-length, length), random.uniform(-1.0, 1.0));
-  return {a, a + way, kind < 0.8 ? 0.0 : random.uniform(0.0, 0.2)};
+  const Vector2 offset(random.uniform(-length, length), random.uniform(-1.0, 1.0));
+  return {a, a + offset, kind < 0.8 ? 0.0 : random.uniform(0.0, 0.2)};
 }
 
 // All in reach, sorted.
@@ -133,7 +133,7 @@ std::vector<NearStatic> by_brute_force(const ObstacleField& field, const Pose2& 
 }
 
 // The `most` of them where there are more, by the rules of NearestStatics in words: spots widen by 1.5 times
-// what they are away from costing, and a side has half of the places as long as the other has something
+// what they are away from costing, and a side has half of the slots as long as the other has something
 // costly.
 std::vector<NearStatic> fair_shares(const std::vector<NearStatic>& all, const Pose2& pose, std::size_t most,
                                     double costly) {
@@ -141,15 +141,15 @@ std::vector<NearStatic> fair_shares(const std::vector<NearStatic>& all, const Po
   std::size_t left = (most + 1) / 2, right = left;
   for (const NearStatic& n : all) {
     if (kept.size() == most || (n.distance >= costly && kept.size() + spare.size() >= most)) break;
-    std::size_t& places = cross(direction(pose.theta), n.spot - pose.position()) > 0.0 ? left : right;
-    if (places == 0 && spare.size() == most) continue;
+    std::size_t& slots = cross(direction(pose.theta), n.spot - pose.position()) > 0.0 ? left : right;
+    if (slots == 0 && spare.size() == most) continue;
     const auto touches = [&](const NearStatic& k) {
       return (k.spot - n.spot).norm() < std::max(0.05, 1.5 * (k.distance - costly));
     };
     if (std::any_of(kept.begin(), kept.end(), touches)) continue;
     if (std::any_of(spare.begin(), spare.end(), touches)) continue;
-    (places > 0 ? kept : spare).push_back(n);
-    if (places > 0) --places;
+    (slots > 0 ? kept : spare).push_back(n);
+    if (slots > 0) --slots;
   }
   kept.insert(kept.end(), spare.begin(),
               spare.begin() + static_cast<std::ptrdiff_t>(std::min(most - kept.size(), spare.size())));
@@ -177,7 +177,7 @@ TEST(NearestStatics, AreThoseThatALookAtAllOfThemFinds) {
       field.footprint = scene % 2 == 0 ? Footprint{} : rectangle;
       NearestStatics search(field, 0.7, 0.3);
       std::vector<NearStatic> found;
-      for (int place = 0; place < 10; ++place) {
+      for (int slot = 0; slot < 10; ++slot) {
         const Pose2 pose{random.uniform(0.0, 12.0), random.uniform(-1.0, 1.0), random.uniform(-3.0, 3.0)};
         search.look_along({pose.position() + Vector2(0.4, 0.0), pose.position() + Vector2(0.4, 0.3)}, 0.5);
         const std::vector<NearStatic> expected = by_brute_force(field, pose, 0.7);
@@ -187,7 +187,7 @@ TEST(NearestStatics, AreThoseThatALookAtAllOfThemFinds) {
           EXPECT_EQ(found[i].index, expected[i].index);
           EXPECT_NEAR(found[i].distance, expected[i].distance, 1e-12);
         }
-        // Of more than there are places for, what costs nothing yet is thinned out.
+        // Of more than there are slots for, what costs nothing yet is thinned out.
         if (expected.size() > 5) {
           const std::vector<NearStatic> thinned = fair_shares(all_in_reach(field, pose, 0.7), pose, 5, 0.3);
           search.find(pose, 5, found);
@@ -222,7 +222,7 @@ TEST(NearestStatics, CountWhatIsCostlyAndLeftOut) {
   EXPECT_LE(left_out, 2 * costly);  // a spot of 5 cm is of one or two groups of 3.5 cm
   ASSERT_EQ(found.size(), 8U);
   EXPECT_NEAR(found[0].spot.y(), 0.4, 1e-12);
-  // The left wall is nearer, and has half of the places.
+  // The left wall is nearer, and has half of the slots.
   EXPECT_EQ(std::count_if(found.begin(), found.end(), [](const NearStatic& n) { return n.spot.y() > 0.0; }),
             4);
 }

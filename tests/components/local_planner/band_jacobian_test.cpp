@@ -92,7 +92,7 @@ Limits tight_limits() {
   return limits;
 }
 
-// Three poses that turn by up to 3 rad, drive forward and back, slowly and fast.
+// Three poses that rotate by up to 3 rad, drive forward and back, slowly and fast.
 Row random_states(Random& random) {
   Row s(kSegmentColumns);
   double theta = random.uniform(-3.1, 3.1);

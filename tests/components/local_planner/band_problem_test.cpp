@@ -126,7 +126,7 @@ TEST(Solvers, FindOneMinimum) {
     std::vector<SceneObstacle> obstacles = random_obstacles(random);
     for (SceneObstacle& o : obstacles) {
       o.velocity = {0.0, 0.0};
-      o.position.y() += o.position.y() > 0.0 ? 0.5 : -0.5;  // a way through the middle
+      o.position.y() += o.position.y() > 0.0 ? 0.5 : -0.5;  // a path through the middle
     }
     const ObstacleField field = field_of(obstacles);
     const BandScene scene{file.limits, {}, true, &field};

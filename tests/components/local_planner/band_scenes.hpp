@@ -43,7 +43,7 @@ inline std::vector<BandTestScene> band_scenes() {
   BandTestScene field{"field", {10.0, 0.0, 0.0}, {}, {}}, moving{"moving", {10.0, 0.0, 0.0}, {}, {}};
   Random random(31);
   for (int i = 0; i < 20; ++i) {
-    // A raster of 5 x 4, each up to 0.3 m away from its place.
+    // A raster of 5 x 4, each up to 0.3 m away from its position.
     const double x = 1.4 + 1.8 * (i % 5) + random.uniform(-0.3, 0.3);
     const double y = -2.4 + 1.6 * static_cast<double>(i / 5) + random.uniform(-0.3, 0.3);
     const double radius = i % 3 == 0 ? 0.0 : random.uniform(0.1, 0.3);

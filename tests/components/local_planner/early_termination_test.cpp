@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kPlenty = 1000;  // iterations
 
-// 6 m ahead, a wide disc left of the way: round it is far, past it is not.
+// 6 m ahead, a wide disc left of the path: round it is far, past it is not.
 struct AroundADisc {
   PlanningProblem problem;
   ObstacleField field;

@@ -1,5 +1,5 @@
 // The whole hallway without people, in lock-step: paths that come back over themselves by follow_path, and
-// poses on one line by navigate_through_poses. The robot's true place is compared, which it knows by about
+// poses on one line by navigate_through_poses. The robot's true position is compared, which it knows by about
 // 0.1 m.
 #include <algorithm>
 #include <cmath>
@@ -51,7 +51,7 @@ struct Hallway {
 };
 
 // From where the robot stands d metres out and back over the same line to 1 m behind. At 1 m/s it takes 2 d +
-// 1 s, and 5 s of turning, speeding up and braking; the test waits for twice that.
+// 1 s, and 5 s of rotating, speeding up and braking; the test waits for twice that.
 TEST(FoldedPaths, AreDrivenOutAndBackByFollowPath) {
   for (double d = 1.0; d <= 6.0; d += 1.0) {
     FollowPath::Goal goal;
@@ -72,13 +72,13 @@ TEST(FoldedPaths, AreDrivenOutAndBackByFollowPath) {
 // 3 m out, 5 m back: 8 s at 1 m/s and 5 s more; twice that. Each pose is passed within via_radius, 0.7 m, in
 // its turn.
 TEST(FoldedPaths, PosesOnOneLineArePassedInTheirOrder) {
-  const std::vector<Vector2> places = {{6, 0}, {3, 0}, {1, 0}};
+  const std::vector<Vector2> positions = {{6, 0}, {3, 0}, {1, 0}};
   ThroughPoses::Goal goal;
   PosesStamped poses;
-  for (const Vector2& place : places) {
+  for (const Vector2& position : positions) {
     geometry_msgs::msg::PoseStamped pose;
     pose.header(make_header("map", Time{}));
-    pose.pose(to_pose(Pose2{place.x(), place.y(), std::numbers::pi}));
+    pose.pose(to_pose(Pose2{position.x(), position.y(), std::numbers::pi}));
     poses.push_back(pose);
   }
   set_goal_poses(goal, poses);
@@ -86,7 +86,7 @@ TEST(FoldedPaths, PosesOnOneLineArePassedInTheirOrder) {
   hallway.go("navigate_through_poses", goal, 3.0 + 26.0);
   const auto& sent = hallway.goals.goals.at(0);
   EXPECT_THAT(sent.ends, ElementsAre(GoalStatus::succeeded)) << sent.result.error_msg();
-  EXPECT_EQ(passed_in_order(places, hallway.truth, 0.7 + kBelief), 3U);
+  EXPECT_EQ(passed_in_order(positions, hallway.truth, 0.7 + kBelief), 3U);
   std::cout << "through poses: " << sent.ended_at - 3.0 << " s\n";
 }
 

@@ -1,5 +1,5 @@
 // When a goal of follow_path is over. Figures are those of the nav2_params.yaml that Nav2 ships: 0.25 m and
-// 0.25 rad, 0.5 m in 10 s, 0.3 s without a way, 0.3 s without an input.
+// 0.25 rad, 0.5 m in 10 s, 0.3 s without a motion, 0.3 s without an input.
 #include "components/local_planner/follow_path/follow_judge.hpp"
 
 #include <gtest/gtest.h>
@@ -13,12 +13,12 @@ struct Drive {
   FollowPathOptions options;
   FollowCycle cycle{.now = Time{100'000'000'000},
                     .missing = "",
-                    .unknown_place = "",
+                    .unknown_pose = "",
                     .X_OB = {},
                     .X_OG = {5.0, 0.0, 0.0},
                     .distance_to_goal = 5.0,
                     .is_on_last_leg = true,
-                    .way_made = 0.0,
+                    .travelled = 0.0,
                     .twist = {0.5, 0.0},
                     .status = PlanningStatus::ok,
                     .reason = ""};
@@ -97,7 +97,7 @@ TEST(FollowJudge, ProgressIsHalfAMetreInTenSeconds) {
 
   Drive moving;
   moving.cycles_to_end(90);
-  moving.cycle.way_made = 0.5;
+  moving.cycle.travelled = 0.5;
   EXPECT_EQ(moving.cycles_to_end(), 102);
 
   Drive to_and_fro;  // half a metre each second, and nowhere
@@ -152,7 +152,7 @@ TEST(FollowJudge, WhatIsMissingIsWaitedForAndThenNamed) {
   EXPECT_EQ(end.failure.reason, "a needed input is stale");
 
   Drive lost;
-  lost.cycle.unknown_place = "no transform from map to odom";
+  lost.cycle.unknown_pose = "no transform from map to odom";
   EXPECT_EQ(lost.cycles_to_end(10, &end), 4);
   EXPECT_EQ(end.failure.fault, FollowFault::tf_error);
   EXPECT_EQ(end.failure.reason, "no transform from map to odom");

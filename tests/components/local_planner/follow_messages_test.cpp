@@ -18,7 +18,7 @@ TEST(GoalTolerance, IsTheRequestsAndTheUsualWhereThatNamesNone) {
   EXPECT_EQ(goal_tolerance_of(request), GoalTolerance{});
 }
 
-// Half of the way and a third of the heading; a figure of the planner's own as long as it lies inside.
+// Half of the distance and a third of the heading; a figure of the planner's own as long as it lies inside.
 TEST(GoalTolerance, ThePlannerEndsInside) {
   PlanningProblem problem{.goal_tolerance = {0.4, 0.6}};
   EXPECT_EQ(arrival_tolerance(problem, {}), (GoalTolerance{0.2, 0.6 / 3.0}));

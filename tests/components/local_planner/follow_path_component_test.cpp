@@ -1,4 +1,4 @@
-// follow_path as Nav2's behaviour tree and people use it: a robot that obeys at once on a straight way
+// follow_path as Nav2's behaviour tree and people use it: a robot that obeys at once on a straight path
 // through an empty map. Steps are 0.02 s, cycles 0.1 s, v_max is 1 m/s and the acceleration 1 m/s^2. Codes
 // are those of FollowPath's result.
 #include <algorithm>
@@ -203,7 +203,7 @@ std::unique_ptr<Story> drive_path(const std::vector<Pose2>& path, double seconds
 }
 
 // From where the robot stands d metres out and back over the same line to 1 m behind. At 1 m/s it takes 2 d +
-// 1 s, 2 s of speeding up and braking and 3 s of turning by 180 degrees; the test waits for twice that.
+// 1 s, 2 s of speeding up and braking and 3 s of rotating by 180 degrees; the test waits for twice that.
 TEST(FollowPath, APathThatComesBackOverItselfIsDrivenOutAndBack) {
   for (double d = 1.0; d <= 6.0; d += 1.0) {
     const auto story = drive_path(path_over({{0, 0}, {d, 0}, {-1, 0}}), 2.0 * (2.0 * d + 1.0 + 5.0));
@@ -217,7 +217,7 @@ TEST(FollowPath, APathThatComesBackOverItselfIsDrivenOutAndBack) {
   }
 }
 
-// A square of 2 m that ends where it begins, and an eight that crosses itself at (2, 0): each place in its
+// A square of 2 m that ends where it begins, and an eight that crosses itself at (2, 0): each position in its
 // turn, within the 0.5 m by which a bend may be cut.
 TEST(FollowPath, APathThatClosesOrCrossesItselfIsDrivenInOrder) {
   for (const std::vector<Vector2>& corners :
@@ -226,12 +226,12 @@ TEST(FollowPath, APathThatClosesOrCrossesItselfIsDrivenInOrder) {
     const std::vector<Pose2> path = path_over(corners);
     const auto story = drive_path(path, 50.0);
     expect_end(story->goal, GoalStatus::succeeded, 0, "");
-    const std::vector<Vector2> places = places_of(path);
-    EXPECT_EQ(passed_in_order(places, story->driven, 0.5), places.size());
+    const std::vector<Vector2> positions = positions_of(path);
+    EXPECT_EQ(passed_in_order(positions, story->driven, 0.5), positions.size());
   }
 }
 
-// The same goal once more on the way back, at 7 s (3 m and a turn take 6): the robot does not drive out
+// The same goal once more on the way back, at 7 s (3 m and a rotation take 6): the robot does not drive out
 // again.
 TEST(FollowPath, TheSamePathOnceMoreIsGoneOnWith) {
   const std::vector<Pose2> path = path_over({{0, 0}, {3, 0}, {-2, 0}});
@@ -258,7 +258,7 @@ bandwagon_msgs::msg::Obstacles everywhere() {
   return obstacles;
 }
 
-// The robot stands in an obstacle from 2 s on: there is no free way. Cycles are at multiples of 0.1 s.
+// The robot stands in an obstacle from 2 s on: there is no free path. Cycles are at multiples of 0.1 s.
 TEST(FollowPath, WithoutAWayItGivesUpAsPatienceSays) {
   const auto drive = [](const std::string& parameters) {
     Rig rig;

@@ -28,7 +28,7 @@
 
 namespace bw {
 
-/// Odometry began somewhere in the map, and turned.
+/// Odometry began somewhere in the map, and rotated.
 inline const Pose2 kX_MO{4.0, -3.0, 2.0};
 
 /// How one goal fared.

@@ -46,13 +46,13 @@ TEST(FollowedPath, ThatComesBackOverItselfIsDrivenToItsTurnFirst) {
     EXPECT_LT((end_of(path.leg({x, 0.1, 0}, kLimits)) - Vector2(3, 0)).norm(), 1e-9) << x;
     EXPECT_FALSE(path.is_on_last_leg());
   }
-  // Within 0.25 m of the turn it turns where it is, and then goes all the way back.
-  const PathLeg& turn = path.leg({2.8, 0.0, 0.0}, kLimits);
-  EXPECT_TRUE(turn.begins);
-  ASSERT_EQ(turn.poses.size(), 1U);
-  EXPECT_EQ(turn.poses[0].position(), Vector2(2.8, 0.0));
-  EXPECT_NEAR(std::abs(turn.poses[0].theta), kPi, 1e-9);
-  EXPECT_TRUE(turn.goal_is_final);
+  // Within 0.25 m of the cusp it rotates where it is, and then goes all the way back.
+  const PathLeg& rotation = path.leg({2.8, 0.0, 0.0}, kLimits);
+  EXPECT_TRUE(rotation.begins);
+  ASSERT_EQ(rotation.poses.size(), 1U);
+  EXPECT_EQ(rotation.poses[0].position(), Vector2(2.8, 0.0));
+  EXPECT_NEAR(std::abs(rotation.poses[0].theta), kPi, 1e-9);
+  EXPECT_TRUE(rotation.goal_is_final);
   EXPECT_EQ(path.leg({2.8, 0.0, 1.0}, kLimits).poses.size(), 1U);
   const PathLeg& back = path.leg({2.8, 0.0, 3.0}, kLimits);
   EXPECT_LT((end_of(back) - Vector2(-1, 0)).norm(), 1e-9);
@@ -93,10 +93,10 @@ TEST(FollowedPath, ThatCrossesItselfIsFollowedStraightOn) {
 TEST(FollowedPath, ARobotThatIsPushedGoesOnFromWhereItWas) {
   FollowedPath path = along({{0, 0}, {10, 0}});
   path.leg({3.0, 0.0, 0.0}, kLimits);
-  const double way = path.way_made();
+  const double before = path.travelled();
   path.leg({2.0, 1.0, 0.0}, kLimits);
   EXPECT_EQ(path.index(), 60U) << "progress does not fall";
-  EXPECT_NEAR(path.way_made() - way, -std::hypot(1.0, 1.0), 1e-9);
+  EXPECT_NEAR(path.travelled() - before, -std::hypot(1.0, 1.0), 1e-9);
   path.leg({5.0, 1.0, 0.0}, kLimits);  // carried on 3 m, or the localization said so
   EXPECT_EQ(path.index(), 100U);
 }
@@ -105,7 +105,7 @@ TEST(FollowedPath, BeginsWhereGoingOnLeadsAway) {
   FollowedPath path = along({{-5, 0}, {5, 0}, {0, 0}});
   path.leg({2.0, 0.3, 0.0}, kLimits);
   EXPECT_EQ(path.index(), 140U);
-  // A grid's path begins with a step back to the middle of a cell: no turn.
+  // A grid's path begins with a step back to the middle of a cell: no rotation.
   path.start(path_over({{0, 0}, {-0.1, 0.02}, {5, 0}}));
   const PathLeg& leg = path.leg({0.0, 0.0, 0.0}, kLimits);
   EXPECT_FALSE(leg.begins);
@@ -119,7 +119,7 @@ TEST(FollowedPath, WayMadeGoesOnOverANewPath) {
   path.start(path_over({{1, 0}, {30, 0}}));
   path.leg({1.0, 0.0, 0.0}, kLimits);
   path.leg({1.5, 0.0, 0.0}, kLimits);
-  EXPECT_NEAR(path.way_made(), 1.5, 1e-9);
+  EXPECT_NEAR(path.travelled(), 1.5, 1e-9);
 }
 
 TEST(FollowedPath, OfOnePlaceOrNoneIsSafe) {
@@ -140,15 +140,15 @@ std::vector<Pose2> drive_straight(FollowedPath& path, Random& random, double len
   for (int cycle = 0; cycle < most; ++cycle) {
     driven.push_back(X);
     const PathLeg& leg = path.leg(X, kLimits);
-    const Vector2 way = end_of(leg) - X.position();
-    if (way.norm() <= inside(leg.tolerance).xy && leg.goal_is_final) {
+    const Vector2 to_end = end_of(leg) - X.position();
+    if (to_end.norm() <= inside(leg.tolerance).xy && leg.goal_is_final) {
       if (path.is_on_last_leg() && leg.poses.size() > 1) return driven;
       if (path.is_on_last_leg() && path.distance_to_goal() < 0.25) return driven;
       X.theta = leg.poses.back().theta;
       continue;
     }
-    const Vector2 step = way * std::min(1.0, 0.05 / way.norm());
-    X = {X.x + step.x(), X.y + step.y(), std::atan2(way.y(), way.x())};
+    const Vector2 step = to_end * std::min(1.0, 0.05 / to_end.norm());
+    X = {X.x + step.x(), X.y + step.y(), std::atan2(to_end.y(), to_end.x())};
     if (random.uniform() < 0.02) {
       X.x += random.uniform(-0.1, 0.1);
       X.y += random.uniform(-0.1, 0.1);
@@ -158,7 +158,7 @@ std::vector<Pose2> drive_straight(FollowedPath& path, Random& random, double len
   return driven;
 }
 
-// 4000 paths: each place of them is passed in order by a planner that cuts every bend that it is let cut:
+// 4000 paths: each position of them is passed in order by a planner that cuts every bend that it is let cut:
 // within what a chord may leave the path by, 0.5 m, a step of 0.1 m between the chords that are tried, and
 // twice the 0.14 m by which the robot is pushed at most.
 TEST(FollowedPath, EveryPlaceIsPassedInOrderWhateverThePath) {
@@ -169,8 +169,8 @@ TEST(FollowedPath, EveryPlaceIsPassedInOrderWhateverThePath) {
     FollowedPath path;
     path.start(poses);
     const std::vector<Pose2> driven = drive_straight(path, random, 0.05 * static_cast<double>(poses.size()));
-    const std::vector<Vector2> places = places_of(poses);
-    ASSERT_EQ(passed_in_order(places, driven, 0.5 + 0.1 + 0.28), places.size()) << "seed " << seed;
+    const std::vector<Vector2> positions = positions_of(poses);
+    ASSERT_EQ(passed_in_order(positions, driven, 0.5 + 0.1 + 0.28), positions.size()) << "seed " << seed;
     ASSERT_FALSE(testing::Test::HasFailure()) << "seed " << seed;
   }
 }

@@ -17,12 +17,12 @@ Footprint rectangle() {
           .polygon = {{-0.255, -0.215}, {0.255, -0.215}, {0.255, 0.215}, {-0.255, 0.215}}};
 }
 
-// The one way through a long wall, where the plan leads: 2 m between points, turned around (4, 0), `width`
+// The one path through a long wall, where the plan leads: 2 m between points, rotated around (4, 0), `width`
 // [m] apart.
-PlanningProblem passage(double width, double turn) {
+PlanningProblem passage(double width, double rotation) {
   PlanningProblem problem = problem_to({8, 0, 0});
   problem.footprint = rectangle();
-  const Pose2 middle{4.0, 0.0, turn};
+  const Pose2 middle{4.0, 0.0, rotation};
   for (const double side : {-0.5, 0.5}) {
     for (int i = -20; i <= 20; ++i)
       problem.obstacles.points.push_back(middle * Vector2(0.05 * i, side * width));
@@ -39,12 +39,12 @@ INSTANTIATE_TEST_SUITE_P(Planners, ARectangle, testing::Values("teb", "teb_homot
 
 TEST_P(ARectangle, DrivesThroughAPassageThatItFits) {
   // 0.6 m leaves 8.5 cm at either side, 0.5 m leaves 3.5 cm, and its disc of 0.67 m less than nothing.
-  for (const auto& [width, turn] : {std::pair(0.6, 0.0), std::pair(0.6, 0.5), std::pair(0.5, 0.0)}) {
-    const PlanningProblem problem = passage(width, turn);
+  for (const auto& [width, rotation] : {std::pair(0.6, 0.0), std::pair(0.6, 0.5), std::pair(0.5, 0.0)}) {
+    const PlanningProblem problem = passage(width, rotation);
     const auto planner = make_planner(GetParam(), {});
     const Drive result = drive(*planner, problem, 250);
     const std::string where =
-        GetParam() + ", width " + std::to_string(width) + ", turn " + std::to_string(turn);
+        GetParam() + ", width " + std::to_string(width) + ", turn " + std::to_string(rotation);
     EXPECT_TRUE(is_at_rest_at({8, 0, 0}, result)) << where << " ends at x " << result.poses.back().x;
     EXPECT_GT(result.smallest_gap, 0.0) << where;
     EXPECT_LE(result.smallest_gap, 0.5 * (width - 0.43)) << where;

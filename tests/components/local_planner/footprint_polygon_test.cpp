@@ -61,7 +61,7 @@ TEST(FootprintPolygon, CornersMayRunEitherWayRound) {
 }
 
 TEST(FootprintPolygon, WallsAreMetByTheOutlineAndNotByItsDisc) {
-  // 1.0 x 0.2 m along x: a wall beside it at y = 0.3 is 0.2 m away, though inside the disc of 0.51 m; turned
+  // 1.0 x 0.2 m along x: a wall beside it at y = 0.3 is 0.2 m away, though inside the disc of 0.51 m; rotated
   // by 90 degrees the robot stands in it.
   const Footprint footprint = rectangle(0.5, 0.1);
   const StaticObstacles wall{.segments = {{{-3.0, 0.3}, {3.0, 0.3}}}};

@@ -1,6 +1,6 @@
-// People who come from the side or from behind and react to nobody: one who turns into the robot's way, one
-// who overtakes, one who walks over the place where the robot waits. Closed loop, ideal unicycle, true places
-// and velocities; nobody tells the planner that somebody is about to turn.
+// People who come from the side or from behind and react to nobody: one who turns into the robot's path, one
+// who overtakes, one who walks over the position where the robot waits. Closed loop, ideal unicycle, true
+// positions and velocities; nobody tells the planner that somebody is about to turn.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -93,7 +93,7 @@ Gait turning_right(double begin) {
   };
 }
 
-// Somebody walks along to the left of the robot and turns into its way. None should meet it. Scenes are
+// Somebody walks along to the left of the robot and turns into its path. None should meet it. Scenes are
 // given and nothing is drawn, so the figures have no noise.
 TEST(FromAllSides, OneWhoTurnsIntoTheWay) {
   int scenes = 0, contacts = 0, needless = 0;
@@ -137,7 +137,7 @@ Gait turning_round(double begin, const Vector2& back) {
 }
 
 // Somebody overtakes a base of 0.6 m/s (Eddie's limits), turns round before it and comes back towards its
-// lane, as people do at the end of their way.
+// lane, as people do at the end of their path.
 TEST(FromAllSides, OneWhoTurnsRoundBeforeASlowRobot) {
   const Limits eddie{.v_max = 0.6,
                      .v_back_max = 0.4,
@@ -166,18 +166,19 @@ TEST(FromAllSides, OneWhoTurnsRoundBeforeASlowRobot) {
                        {.asked = 0, .measured = 8}, with_more);
 }
 
-// A line of people crosses before the robot, which has to wait; one more comes over the place where it waits.
+// A line of people crosses before the robot, which has to wait; one more comes over the position where it
+// waits.
 TEST(FromAllSides, TheWaitingRobotMakesRoom) {
   int contacts = 0;
-  for (const double place : {0.2, 0.6, 1.0}) {
+  for (const double x_crossing : {0.2, 0.6, 1.0}) {
     for (const double arrival : {4.0, 6.0}) {
       std::vector<Walker> walkers;
       for (int i = 0; i < 12; ++i)
         walkers.push_back({{2.0, -1.1 * i}, [](double) { return Vector2(0.0, 1.2); }});
-      walkers.push_back({{place, 1.2 * arrival}, [](double) { return Vector2(0.0, -1.2); }});
+      walkers.push_back({{x_crossing, 1.2 * arrival}, [](double) { return Vector2(0.0, -1.2); }});
       const Outcome outcome = drive_eteb(walkers, 0.0, 30.0);
       contacts += outcome.smallest_gap <= 0.0 ? 1 : 0;
-      EXPECT_GT(outcome.smallest_gap, -0.03) << "at " << place << " m after " << arrival << " s";
+      EXPECT_GT(outcome.smallest_gap, -0.03) << "at " << x_crossing << " m after " << arrival << " s";
       EXPECT_TRUE(outcome.reached);
     }
   }

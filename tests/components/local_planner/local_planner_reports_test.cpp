@@ -64,10 +64,10 @@ TEST(LocalPlannerComponent, PosesOfTheTrajectoryAreStampedWithWhenTheRobotIsTher
   for (std::size_t i = 1; i < poses.size(); ++i) {
     const double dt =
         (from_stamp(poses[i].header().stamp()) - from_stamp(poses[i - 1].header().stamp())).to_seconds();
-    const double way =
+    const double distance =
         (from_pose(poses[i].pose()).position() - from_pose(poses[i - 1].pose()).position()).norm();
     ASSERT_GT(dt, 0.0) << i;
-    EXPECT_LT(way / dt, 1.1) << i;  // the band's limits are soft
+    EXPECT_LT(distance / dt, 1.1) << i;  // the band's limits are soft
   }
   EXPECT_GT((from_stamp(poses.back().header().stamp()) - start).to_seconds(), 3.0);
 }

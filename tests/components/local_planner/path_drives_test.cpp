@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(Paths, FoldedPath, testing::ValuesIn(planner_names()),
 
 // From where the robot stands out and back over the same line to 1 m behind: it has been at the far end
 // within the tolerance. At 1 m/s and 1 m/s^2 it takes 2 d + 1 s, 2 s of speeding up and braking, and 3 s of
-// turning by 180 degrees; three times that, since mppi's shipped weights balance at 0.67 m/s and others turn
+// rotating by 180 degrees; three times that, since mppi's shipped weights balance at 0.67 m/s and others turn
 // in arcs.
 TEST_P(FoldedPath, IsDrivenOutAndBack) {
   for (double d = 1.0; d <= 6.0; d += 1.0) {
@@ -73,10 +73,11 @@ int path_count() {
   return asked == nullptr ? 10 : std::max(1, std::atoi(asked));
 }
 
-/// The least distance within which all `places` were passed in their order [m], in steps of 2.5 cm.
-double least_tolerance(const std::vector<Vector2>& places, const std::vector<Pose2>& driven) {
+/// The least distance within which all `positions` were passed in their order [m], in steps of 2.5 cm.
+double least_tolerance(const std::vector<Vector2>& positions, const std::vector<Pose2>& driven) {
   double tolerance = 0.05;
-  while (tolerance < 5.0 && passed_in_order(places, driven, tolerance) < places.size()) tolerance += 0.025;
+  while (tolerance < 5.0 && passed_in_order(positions, driven, tolerance) < positions.size())
+    tolerance += 0.025;
   return tolerance;
 }
 
@@ -100,7 +101,7 @@ TEST_P(RandomPath, IsPassedPlaceByPlaceInOrder) {
         drive(GetParam(), path, 3.0 * (length + 5.0 * static_cast<double>(corners.size())));
     EXPECT_TRUE(there.is_there) << "seed " << seed << " ends at " << there.poses.back().x << " "
                                 << there.poses.back().y;
-    const double tolerance = least_tolerance(places_of(path), there.poses);
+    const double tolerance = least_tolerance(positions_of(path), there.poses);
     EXPECT_LE(tolerance, 0.6) << "seed " << seed;
     widest = std::max(widest, tolerance);
   }

@@ -15,10 +15,10 @@ const std::vector<Pose2> kCorner = {{0, 0, 0}, {4, 0, 0}, {4, 3, 0}};
 TEST(PlanLine, TellsHowFarAlongAndHowFarBeside) {
   const PlanLine line(kCorner, {0, 0}, 0.5);
   EXPECT_DOUBLE_EQ(line.length(), 7.0);
-  const PlanLine::Place before = line.nearest({1.0, -0.5}, 0.0, 7.0);
+  const PlanLine::Projection before = line.nearest({1.0, -0.5}, 0.0, 7.0);
   EXPECT_DOUBLE_EQ(before.along, 1.0);
   EXPECT_DOUBLE_EQ(before.beside, 0.5);
-  const PlanLine::Place after = line.nearest({4.2, 2.0}, 0.0, 7.0);
+  const PlanLine::Projection after = line.nearest({4.2, 2.0}, 0.0, 7.0);
   EXPECT_DOUBLE_EQ(after.along, 6.0);
   EXPECT_NEAR(after.beside, 0.2, 1e-12);
 }
@@ -26,9 +26,9 @@ TEST(PlanLine, TellsHowFarAlongAndHowFarBeside) {
 TEST(PlanLine, LooksAtTheStretchThatIsAskedForAlone) {
   const PlanLine line(kCorner, {0, 0}, 0.5);
   // (3.8, 3) is 0.2 m beside the end and 3 m beside the first leg.
-  const PlanLine::Place place = line.nearest({3.8, 3.0}, 0.0, 4.0);
-  EXPECT_DOUBLE_EQ(place.along, 3.8);
-  EXPECT_DOUBLE_EQ(place.beside, 3.0);
+  const PlanLine::Projection projection = line.nearest({3.8, 3.0}, 0.0, 4.0);
+  EXPECT_DOUBLE_EQ(projection.along, 3.8);
+  EXPECT_DOUBLE_EQ(projection.beside, 3.0);
   EXPECT_DOUBLE_EQ(line.nearest({1.0, 0.0}, 2.5, 7.0).beside, 1.5);
   EXPECT_DOUBLE_EQ(line.nearest({1.0, 0.0}, -9.0, -8.0).beside, 1.0) << "nothing but its beginning";
 }

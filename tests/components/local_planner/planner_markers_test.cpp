@@ -67,7 +67,7 @@ TEST(PlannerMarkers, OfManyCandidatesOnlyTheChosenOneIsLabelled) {
   EXPECT_EQ(of(array, "candidate_labels")[0].text(), "sample 17.00");
 }
 
-// Variances 0.04 and 0.01 m^2 along axes turned by 30 degrees: two standard deviations are 0.4 and 0.2 m to
+// Variances 0.04 and 0.01 m^2 along axes rotated by 30 degrees: two standard deviations are 0.4 and 0.2 m to
 // each side, diameters 0.8 and 0.4 m.
 TEST(PlannerMarkers, PredictionsAreDotsWithGrowingEllipses) {
   const double angle = std::numbers::pi / 6.0;

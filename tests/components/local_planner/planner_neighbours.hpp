@@ -32,7 +32,7 @@ namespace bw {
 using namespace bandwagon_msgs::msg;
 
 inline constexpr double kStep = 0.02;      // [s] of the robot and of what it publishes
-inline const Pose2 kX_MO{4.0, -3.0, 2.0};  // odometry began somewhere in the map, and turned
+inline const Pose2 kX_MO{4.0, -3.0, 2.0};  // odometry began somewhere in the map, and rotated
 inline const Pose2 kStart{0.0, 0.0, 0.0};  // of the robot in the map
 inline constexpr std::uint64_t kRequestId = 17;
 

@@ -147,7 +147,7 @@ TEST(PlannerRegistry, GivesASectionToWhoeverKnowsItsNameAndType) {
   EXPECT_THROW(options.of<CirclerOptions>("circlr"), std::out_of_range);
 }
 
-// What every planner gets from CheckedPlanner. Goal tolerance 0.1 m: 0.05 m away it has arrived and turns
+// What every planner gets from CheckedPlanner. Goal tolerance 0.1 m: 0.05 m away it has arrived and rotates
 // (command by heading alone); pushed out beyond twice the tolerance it drives again, from the start.
 TEST(CheckedPlanner, AnswersForThePlannerWhereThereIsNothingToPlan) {
   const auto planner = make_planner("circler", {});

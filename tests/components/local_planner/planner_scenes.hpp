@@ -1,4 +1,4 @@
-// Random scenes for tests of every planner, the same scene seen otherwise (turned, shifted, mirrored, listed
+// Random scenes for tests of every planner, the same scene seen otherwise (rotated, shifted, mirrored, listed
 // in another order), and results compared.
 #pragma once
 

@@ -1,5 +1,5 @@
-// Random paths that cross, fold back over themselves and close, and whether a drive passed places of a path
-// in their order.
+// Random paths that cross, fold back over themselves and close, and whether a drive passed positions of a
+// path in their order.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace bw {
 
 /// Straight from corner to corner, a pose each 5 cm; headings are 0 as NavFn leaves them, but the last, which
-/// is that of the way.
+/// is that of the path.
 inline std::vector<Pose2> path_over(const std::vector<Vector2>& corners) {
   std::vector<Pose2> path;
   for (std::size_t i = 1; i < corners.size(); ++i) {
@@ -56,12 +56,12 @@ inline std::size_t passed_in_order(const std::vector<Vector2>& wanted, const std
   return passed;
 }
 
-/// Places each 0.5 m along a path of path_over(), and its end.
-inline std::vector<Vector2> places_of(const std::vector<Pose2>& path) {
-  std::vector<Vector2> places;
-  for (std::size_t i = 0; i < path.size(); i += 10) places.push_back(path[i].position());
-  places.push_back(path.back().position());
-  return places;
+/// Positions each 0.5 m along a path of path_over(), and its end.
+inline std::vector<Vector2> positions_of(const std::vector<Pose2>& path) {
+  std::vector<Vector2> positions;
+  for (std::size_t i = 0; i < path.size(); i += 10) positions.push_back(path[i].position());
+  positions.push_back(path.back().position());
+  return positions;
 }
 
 }  // namespace bw

@@ -30,11 +30,11 @@ TEST(SegmentCost, CoincidentPosesGiveFiniteDerivatives) {
 TEST(SegmentCost, VanishesApartFromTimeOnAnArcWithinLimits) {
   // 0.5 m/s and 0.4 rad/s held for 0.3 s each: one arc, constant speed, inside v 1, omega 1.
   const SegmentModel model(BandOptions{}, Limits{});
-  const double turn = 0.12, chord = 0.5 * 0.3 * std::sin(turn / 2) / (turn / 2);
-  States s{0, 0, 0,        0.3, chord * std::cos(turn / 2), chord * std::sin(turn / 2), turn, 0.3,
-           0, 0, 2 * turn, 0.3};
-  s[8] = s[4] + chord * std::cos(1.5 * turn);
-  s[9] = s[5] + chord * std::sin(1.5 * turn);
+  const double angle = 0.12, chord = 0.5 * 0.3 * std::sin(angle / 2) / (angle / 2);
+  States s{0, 0, 0,         0.3, chord * std::cos(angle / 2), chord * std::sin(angle / 2), angle, 0.3,
+           0, 0, 2 * angle, 0.3};
+  s[8] = s[4] + chord * std::cos(1.5 * angle);
+  s[9] = s[5] + chord * std::sin(1.5 * angle);
   const auto segment = dense_segment(model, s.data(), SegmentEnd::next_segment, nullptr);
   ASSERT_TRUE(segment);
   const auto& r = segment->residuals;

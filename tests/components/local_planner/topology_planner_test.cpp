@@ -35,7 +35,7 @@ const Candidate& chosen(const PlanningResult& result) {
 
 TEST(TopologyPlanner, HoldsABandOnBothSidesAndDrivesTheCheaper) {
   PlanningProblem problem = six_metres_ahead();
-  problem.obstacles.discs = {{{3.0, 0.4}, 0.4}};  // the way right of it is shorter
+  problem.obstacles.discs = {{{3.0, 0.4}, 0.4}};  // the path right of it is shorter
   const auto planner = make_planner("teb_homotopy", {});
   planner->plan(problem);  // first plans are not converged, and nothing binds the robot to them
   const PlanningResult result = planner->plan(problem);
@@ -186,13 +186,13 @@ TEST(HrvoPreference, LooksAtThePointWhereTheBandPassesTheFirstObstacle) {
   // The band turns left by 45 degrees at 1.5 m; the obstacle is passed at (2.1, 0.6).
   hrvo::Advice advice;
   advice.velocity = {1.0, 0.0};
-  std::vector<TrajectoryPoint> way;
+  std::vector<TrajectoryPoint> trajectory;
   for (int i = 0; i <= 10; ++i)
-    way.push_back({0.3 * i, {0.3 * i, std::max(0.0, 0.3 * i - 1.5), 0.0}, {1.0, 0.0}});
+    trajectory.push_back({0.3 * i, {0.3 * i, std::max(0.0, 0.3 * i - 1.5), 0.0}, {1.0, 0.0}});
   teb::ObstacleField field;
   field.statics = CapsuleIndex({{{2.1, 0.0}, {2.1, 0.0}, 0.3}});
   // Nearest pose to (2.1, 0) on the line y = x - 1.5 among multiples of 0.3: (1.8, 0.3), at 0.424 m.
-  EXPECT_NEAR(teb::hrvo_cost(advice, way, field, 1.0), std::atan2(0.3, 1.8), 1e-9);
+  EXPECT_NEAR(teb::hrvo_cost(advice, trajectory, field, 1.0), std::atan2(0.3, 1.8), 1e-9);
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 namespace bw::localization {
 namespace {
 
-// The robot turns while the sweep is taken; ends are wanted where base_link is in its middle, from which the
-// wall is at x = 2.5.
+// The robot rotates while the sweep is taken; ends are wanted where base_link is in its middle, from which
+// the wall is at x = 2.5.
 TEST(BeamEndsMoving, EndsAreOfTheTimeOfTheSweep) {
   test::MovingSweep moving{.twist = {0.4, 1.5}};
   LaserSweep sweep = moving.scan();

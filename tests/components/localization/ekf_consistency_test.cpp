@@ -271,13 +271,13 @@ TEST(EkfPositionWalk, GrowsWithTheWay) {
     ekf.add(step, step.time);
   }
   EXPECT_NEAR(ekf.state().P(0, 0), 4.0, 1e-3);
-  EXPECT_NEAR(ekf.state().P(1, 1), 4.0, 0.1);  // and what the least variance of a turn adds sideways
+  EXPECT_NEAR(ekf.state().P(1, 1), 4.0, 0.1);  // and what the least variance of a rotation adds sideways
   EXPECT_LT(ekf.state().P(2, 2), 1e-7);
 }
 
-// A receiver whose error wanders by 0.2 m per root metre under declared white noise of 0.5 m. Over the way L
-// that the line through its fixes is fitted, the wander looks like a turn: a heading held for true is then
-// wrong by more than it is said to be; with the wander declared it is not. Expected value of the squared
+// A receiver whose error wanders by 0.2 m per root metre under declared white noise of 0.5 m. Over the path L
+// that the line through its fixes is fitted, the wander looks like a rotation: a heading held for true is
+// then wrong by more than it is said to be; with the wander declared it is not. Expected value of the squared
 // error over its variance: 1.
 TEST(EkfPositionWalk, KeepsTheHeadingHonestUnderAWanderingReceiver) {
   const auto mean_square = [](double walk) {

@@ -61,7 +61,7 @@ Measurement odd_measurement(Random& random, Time time) {
           Duration{static_cast<std::int64_t>(odd_number(random, 1.0) > -0.5 ? 1e9 * random.uniform() : -1e9)};
       m.separation = random.bits() % 2 == 0 ? 0.0 : odd_number(random, 0.4);
       m.distance = odd_number(random, 0.3);
-      m.turn = odd_number(random, 0.3);
+      m.rotation = odd_number(random, 0.3);
       m.covariance = odd_covariance<2>(random);
       m.rounding = random.bits() % 2 == 0 ? 0.0 : odd_variance(random);
       return m;

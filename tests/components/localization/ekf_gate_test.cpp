@@ -113,7 +113,7 @@ TEST(EkfReacquisition, ASourceThatContradictsItselfNeverTakesOver) {
   }
 }
 
-// The start is sure of a heading 2 rad off, and there is no compass: the way driven shows the right one.
+// The start is sure of a heading 2 rad off, and there is no compass: the path driven shows the right one.
 TEST(EkfReacquisition, AWrongHeadingIsFoundFromTheWay) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     DriveOptions options;
@@ -129,7 +129,7 @@ TEST(EkfReacquisition, AWrongHeadingIsFoundFromTheWay) {
   }
 }
 
-// A compass turned by 1 rad at 20 s: with fixes and a way driven the heading is known without it.
+// A compass rotated by 1 rad at 20 s: with fixes and a path driven the heading is known without it.
 TEST(EkfReacquisition, ADisturbedCompassIsKeptOutWhileFixesShowTheHeading) {
   DriveOptions options;
   const Drive drive = simulate(options);
@@ -182,13 +182,13 @@ double squared_error(const Drive& drive, const EkfOptions& options, int& slippin
 }
 
 // 1 s of 50 % slip every 30 s: RMSE at most 1.5 times the clean one (localization/evidence.md 9.3), whichever
-// wheels slip. One slip carries the odometry 0.4 m (one wheel) or 0.8 m off. Both alike show while turning
+// wheels slip. One slip carries the odometry 0.4 m (one wheel) or 0.8 m off. Both alike show while rotating
 // only (0.5 rad/s here), one wheel also straight on.
 struct SlipCase {
   const char* name;
   double left;
   double right;
-  double turn_amplitude;
+  double turn_rate_amplitude;
 };
 
 class EkfSlips : public ::testing::TestWithParam<SlipCase> {};
@@ -199,7 +199,7 @@ TEST_P(EkfSlips, CostAtMostHalfOfTheCleanError) {
     DriveOptions options;
     options.seed = seed;
     options.seconds = 120.0;
-    options.turn_amplitude = GetParam().turn_amplitude;
+    options.turn_rate_amplitude = GetParam().turn_rate_amplitude;
     int steps = 0;
     clean += squared_error(simulate(options), {}, steps);
     EXPECT_EQ(steps, 0) << "slip seen where there is none";

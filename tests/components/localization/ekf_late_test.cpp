@@ -129,8 +129,8 @@ TEST(EkfLate, MeetsTheFiguresOfTheField) {
     measured.push_back(step);
     measured.push_back(HeadingReading{now, kCompass, wrap_angle(X.theta + 0.05 * random.normal()), 0.0025});
     if (i % 20 != 0) continue;
-    const Vector2 place = X.position() + 0.5 * Vector2(random.normal(), random.normal());
-    measured.push_back(PositionFix{now, kGps, place, 0.25 * Eigen::Matrix2d::Identity(), {0.0, 0.0}});
+    const Vector2 position = X.position() + 0.5 * Vector2(random.normal(), random.normal());
+    measured.push_back(PositionFix{now, kGps, position, 0.25 * Eigen::Matrix2d::Identity(), {0.0, 0.0}});
   }
   const auto rms = [&](int late_ms, bool restamped) {
     std::vector<Arrival> list;
@@ -160,7 +160,7 @@ TEST(EkfLate, MeetsTheFiguresOfTheField) {
   RecordProperty("rewound", std::to_string(rewound));
   RecordProperty("on_arrival", std::to_string(on_arrival));
   EXPECT_LE(rewound, 0.045);
-  EXPECT_GE(on_arrival, 0.13);  // 0.19 here: by how much the way curves
+  EXPECT_GE(on_arrival, 0.13);  // 0.19 here: by how much the path curves
 }
 
 TEST(EkfLate, OlderThanTheWindowAndTwiceAreCounted) {

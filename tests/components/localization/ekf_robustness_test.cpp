@@ -23,7 +23,7 @@ void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 namespace bw::localization {
 namespace {
 
-// A thousand crossings of +-pi, half of them turning on the spot: no step of the heading beyond three
+// A thousand crossings of +-pi, half of them rotating in place: no step of the heading beyond three
 // standard deviations of its own (localization/evidence.md 9.3).
 TEST(EkfRobustness, HeadingCrossesPiAThousandTimesWithoutAJump) {
   DriveOptions options;
@@ -43,7 +43,7 @@ TEST(EkfRobustness, HeadingCrossesPiAThousandTimesWithoutAJump) {
     now = now + kStep;
     const double before = ekf.estimate().X_MB.theta;
     WheelStep step = step_from_twist(now, kStep, twist, Eigen::Vector2d(0.01, 0.01).asDiagonal());
-    step.turn += 1e-3 * random.normal();
+    step.rotation += 1e-3 * random.normal();
     ASSERT_EQ(ekf.add(step, now).verdict, Verdict::accepted);
     ASSERT_NE(
         ekf.add(HeadingReading{now, kCompass, wrap_angle(X.theta + 0.05 * random.normal()), 0.0025}, now)

@@ -1,5 +1,5 @@
 // Wheels whose counts are coarse beside a gyro: a count that has not come yet is no proof that the robot does
-// not turn.
+// not rotate.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,14 +15,14 @@ namespace {
 constexpr double kTick = 2.0 * std::numbers::pi * 0.0762 / 144.0;  // Eddie's (model/README.md 2.3): 3.3 mm
 constexpr double kSeparation = 0.39;
 
-/// Turns slowly to and fro on the spot, as a robot does that stands before people: a wheel counts 7 times a
+/// Rotates slowly to and fro in place, as a robot does that stands before people: a wheel counts 7 times a
 /// second at most.
-DriveOptions slow_turns(std::uint64_t seed) {
+DriveOptions slow_rotations(std::uint64_t seed) {
   DriveOptions options;
   options.seed = seed;
   options.seconds = 60.0;
   options.speed = 0.0;
-  options.turn_amplitude = 0.12;
+  options.turn_rate_amplitude = 0.12;
   options.separation = kSeparation;
   options.wheel_variance = 1e-6;
   options.tick = kTick;
@@ -61,7 +61,7 @@ Course follow(const DriveOptions& options) {
 // whatever the gyro says.
 TEST(EkfRounding, SlowTurnsAreNotLostBetweenCounts) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    const Course course = follow(slow_turns(seed));
+    const Course course = follow(slow_rotations(seed));
     EXPECT_LT(course.worst, 2.0 * kTick / kSeparation) << "seed " << seed;
     EXPECT_LT(course.worst_normalised, 4.0) << "seed " << seed;
     EXPECT_NEAR(course.bias, 0.005, 0.002) << "seed " << seed;
@@ -71,7 +71,7 @@ TEST(EkfRounding, SlowTurnsAreNotLostBetweenCounts) {
 // The same without a gyro: roundings of steps that adjoin take one another back, and do not add up to a
 // heading that is ever less known. 6000 of them as white noise would be 2 * 3.5 mrad * sqrt(6000) = 0.4 rad.
 TEST(EkfRounding, DoesNotAddUp) {
-  DriveOptions options = slow_turns(1);
+  DriveOptions options = slow_rotations(1);
   options.gyro_sigma = 0.0;
   const Drive drive = simulate(options);
   Ekf ekf({});
@@ -82,11 +82,11 @@ TEST(EkfRounding, DoesNotAddUp) {
   EXPECT_NEAR(wrap_angle(e.X_MB.theta - drive.truth.back().theta), 0.0, 2.0 * kTick / kSeparation);
 }
 
-// Wheels that turn 50 % further than the robot for a second, at 0.5 rad/s on the spot: 0.25 rad too far,
+// Wheels that rotate 50 % further than the robot for a second, at 0.5 rad/s on the spot: 0.25 rad too far,
 // fifteen times what counts can hide.
 TEST(EkfRounding, SlipIsStillSeen) {
-  DriveOptions options = slow_turns(1);
-  options.turn_amplitude = 0.5;
+  DriveOptions options = slow_rotations(1);
+  options.turn_rate_amplitude = 0.5;
   options.slip_from = 4.5;  // at the largest turn rate
   options.slip_left = options.slip_right = 1.5;
   EXPECT_LT(follow(options).worst, 0.06);

@@ -99,14 +99,14 @@ TEST(EkfStart, WithoutCompassTheWayGivesTheHeading) {
   EXPECT_GE(within, 95);
 }
 
-// A skidding base of large footprint turns uncertainly (0.05 rad per root metre); with fixes of 0.9 m only
-// every 8 m the way still gives a heading, within its covariance.
+// A skidding base of large footprint rotates uncertainly (0.05 rad per root metre); with fixes of 0.9 m only
+// every 8 m the path still gives a heading, within its covariance.
 TEST(EkfStart, FewFixesGiveTheHeadingOfABaseThatTurnsUncertainly) {
   int within = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     DriveOptions options = somewhere(seed);
     options.seconds = 120.0;
-    options.turn_amplitude = 0.05;
+    options.turn_rate_amplitude = 0.05;
     options.separation = 0.57;
     options.wheel_variance = 4e-4;
     options.compass_sigma = 0.0;
@@ -126,7 +126,7 @@ TEST(EkfStart, FewFixesGiveTheHeadingOfABaseThatTurnsUncertainly) {
 
 TEST(EkfStart, AStandingRobotWithoutCompassWaits) {
   DriveOptions options;
-  options.speed = options.turn_amplitude = options.compass_sigma = 0.0;
+  options.speed = options.turn_rate_amplitude = options.compass_sigma = 0.0;
   Ekf ekf({});
   EXPECT_EQ(first_pose(ekf, simulate(options).measurements), -1);
   const Health health = ekf.health(step_time(6000));
@@ -137,7 +137,7 @@ TEST(EkfStart, AStandingRobotWithoutCompassWaits) {
 
 // A compass whose zero is off by up to 0.6 rad: with the offset estimated, the first heading is as unsure as
 // the offset, and after a minute of driving the fixes have told both apart. 10 seeds, all within four
-// standard deviations at the start and within 0.1 rad at the end (0.5 m over some 48 m of way).
+// standard deviations at the start and within 0.1 rad at the end (0.5 m over some 48 m of travel).
 TEST(EkfStart, ACompassOfUnknownOffsetIsNotBelievedAtFirst) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     DriveOptions drive_options = somewhere(seed);
@@ -176,7 +176,7 @@ TEST(EkfStart, RefusesAPoseThatIsNone) {
 TEST(EkfHealth, OutageDegradesThenLosesThenHeals) {
   DriveOptions options;
   options.seconds = 300.0;
-  options.turn_amplitude = 0.05;
+  options.turn_rate_amplitude = 0.05;
   options.compass_sigma = options.gyro_sigma = 0.0;
   const Drive drive = simulate(options);
   Ekf ekf({});

@@ -154,7 +154,7 @@ TEST(LikelihoodField, RefusesWhatIsNoGrid) {
 }
 
 TEST(BeamEnds, AreWhereGeometryPutsThem) {
-  // Three beams right, ahead and left of a scanner 0.2 m ahead of the base, turned by a quarter.
+  // Three beams right, ahead and left of a scanner 0.2 m ahead of the base, rotated by a quarter.
   const std::vector<float> ranges{1.0F, 2.0F, 3.0F};
   const LaserSweep sweep{.X_FL = {0.2, 0.0, std::numbers::pi / 2},
                          .angle_min = -std::numbers::pi / 2,

@@ -106,7 +106,7 @@ TEST(LaserModel, FitOfOneEndOneSigmaAwayAndOneUnknown) {
   EXPECT_DOUBLE_EQ(fit.known, 0.5);
 }
 
-// A wall across the way at 1 m. From the origin: an end at the wall, one 1 m behind it, one half way (a
+// A wall across the path at 1 m. From the origin: an end at the wall, one 1 m behind it, one half way (a
 // person).
 TEST(LaserModel, BeamsThroughAWallSpeakAgainstAPoseAndShortOnesDoNot) {
   OccupancyGrid map{.resolution = 0.05, .origin = {-1.0, -1.0}, .width = 80, .height = 40};

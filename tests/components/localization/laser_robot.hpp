@@ -14,12 +14,12 @@
 namespace bw::localization::test {
 
 struct SensorNoise {
-  double range = 0.02;          ///< [m]
-  int people = 0;               ///< within 4 m or so, in the way of beams
-  double random_returns = 0.0;  ///< share of beams that end anywhere before they should
-  double way = 1e-3;            ///< variance of the way, per metre [m]
-  double turn_by_way = 1e-3;    ///< variance of the turn, per metre [rad^2/m]
-  double turn_by_turn = 5e-3;   ///< the same, per radian [rad]
+  double range = 0.02;                 ///< [m]
+  int people = 0;                      ///< within 4 m or so, in the way of beams
+  double random_returns = 0.0;         ///< share of beams that end anywhere before they should
+  double distance = 1e-3;              ///< variance of the distance, per metre [m]
+  double rotation_by_distance = 1e-3;  ///< variance of the rotation, per metre [rad^2/m]
+  double rotation_by_rotation = 5e-3;  ///< the same, per radian [rad]
 };
 
 class SensedRobot {
@@ -34,12 +34,13 @@ class SensedRobot {
 
   WheelStep wheel_step(Time time, const Pose2& from, const Pose2& to) {
     const Pose2 by = inverse(from) * to;
-    const double way = std::hypot(by.x, by.y);
+    const double distance = std::hypot(by.x, by.y);
     WheelStep step{.time = time, .over = Duration::milliseconds(50)};
-    step.covariance(0, 0) = noise_.way * way + 1e-10;
-    step.covariance(1, 1) = noise_.turn_by_way * way + noise_.turn_by_turn * std::abs(by.theta) + 1e-10;
-    step.distance = way + std::sqrt(step.covariance(0, 0)) * random_.normal();
-    step.turn = by.theta + std::sqrt(step.covariance(1, 1)) * random_.normal();
+    step.covariance(0, 0) = noise_.distance * distance + 1e-10;
+    step.covariance(1, 1) =
+        noise_.rotation_by_distance * distance + noise_.rotation_by_rotation * std::abs(by.theta) + 1e-10;
+    step.distance = distance + std::sqrt(step.covariance(0, 0)) * random_.normal();
+    step.rotation = by.theta + std::sqrt(step.covariance(1, 1)) * random_.normal();
     return step;
   }
 

@@ -1,4 +1,5 @@
-// Long drives through a map: from one random free place to the next by the shortest way, at constant speed.
+// Long drives through a map: from one random free position to the next by the shortest path, at constant
+// speed.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace bw::localization::test {
 constexpr double kStepSeconds = 0.05;
 constexpr double kSpeed = 0.52;  ///< [m/s]: 0.026 m a step, 0.26 m in ten
 
-/// Free places of a map, joined with each other, with room for a robot.
+/// Free cells of a map, joined with each other, with room for a robot.
 class Roads {
  public:
   explicit Roads(const OccupancyGrid& map, double clearance = 0.35) : map_(map) {
@@ -28,15 +29,15 @@ class Roads {
     keep_largest_part();
   }
 
-  const std::vector<std::size_t>& places() const { return places_; }
+  const std::vector<std::size_t>& cells() const { return cells_; }
   Vector2 center(std::size_t cell) const {
     const auto width = static_cast<std::size_t>(map_.width);
     return map_.center(static_cast<int>(cell % width), static_cast<int>(cell / width));
   }
-  std::size_t random_place(Random& random) const { return places_[random.bits() % places_.size()]; }
+  std::size_t random_cell(Random& random) const { return cells_[random.bits() % cells_.size()]; }
 
   /// Cells from `from` to `to`, both included; few turns are not sought.
-  std::vector<std::size_t> way(std::size_t from, std::size_t to) const {
+  std::vector<std::size_t> path(std::size_t from, std::size_t to) const {
     std::vector<std::size_t> parent = spread(to);  // backwards, so that following it goes forwards
     std::vector<std::size_t> cells{from};
     while (cells.back() != to) cells.push_back(parent[cells.back()]);
@@ -75,20 +76,20 @@ class Roads {
         seen[i] = true;
         part.push_back(i);
       }
-      if (part.size() > places_.size()) places_ = part;
+      if (part.size() > cells_.size()) cells_ = part;
     }
   }
 
   OccupancyGrid map_;
   std::vector<bool> open_;
-  std::vector<std::size_t> places_;
+  std::vector<std::size_t> cells_;
 };
 
-/// Poses of a robot at every step until it has driven `length` [m]. It aims at the way 0.4 m ahead, turns in
-/// place (2 rad/s) towards what lies more than a right angle off, else turns at up to 1.5 rad/s.
+/// Poses of a robot at every step until it has driven `length` [m]. It aims at the path 0.4 m ahead, rotates
+/// in place (2 rad/s) towards what lies more than a right angle off, else rotates at up to 1.5 rad/s.
 inline std::vector<Pose2> route(const Roads& roads, Random& random, double length) {
-  std::size_t place = roads.random_place(random);
-  std::vector<Vector2> points{roads.center(place)};
+  std::size_t start = roads.random_cell(random);
+  std::vector<Vector2> points{roads.center(start)};
   Pose2 X{points[0].x(), points[0].y(), random.uniform(-3.0, 3.0)};
   std::vector<Pose2> poses{X};
   double driven = 0.0;
@@ -96,9 +97,9 @@ inline std::vector<Pose2> route(const Roads& roads, Random& random, double lengt
   while (driven < length) {
     while ((points[ahead] - X.position()).norm() < 0.4) {
       if (++ahead < points.size()) continue;
-      const std::size_t goal = roads.random_place(random);
-      for (const std::size_t cell : roads.way(place, goal)) points.push_back(roads.center(cell));
-      place = goal;
+      const std::size_t goal = roads.random_cell(random);
+      for (const std::size_t cell : roads.path(start, goal)) points.push_back(roads.center(cell));
+      start = goal;
     }
     const Vector2 to = points[ahead] - X.position();
     const double off = wrap_angle(std::atan2(to.y(), to.x()) - X.theta);

@@ -14,7 +14,7 @@
 namespace bw::localization::test {
 
 /// 20 x 20 m, cells of 5 cm, 4 x 4 rooms of 5 m. Every wall between two rooms has a door of 1.2 m at one of
-/// three places, and two rooms out of three have a cupboard in one of their corners: a single sweep often
+/// three positions, and two rooms out of three have a cupboard in one of their corners: a single sweep often
 /// fits several rooms, a drive of a few metres only one way.
 inline OccupancyGrid repeated_rooms(std::uint64_t seed) {
   Random random(seed);

@@ -39,7 +39,7 @@ Found search_alone(const OccupancyGrid& map, const test::SensorNoise& noise, int
   Random random(12);
   Found found;
   for (int trial = 0; trial < trials; ++trial) {
-    const Vector2 p = roads.center(roads.random_place(random));
+    const Vector2 p = roads.center(roads.random_cell(random));
     const Pose2 truth{p.x(), p.y(), random.uniform(-3.14, 3.14)};
     const double begun = thread_milliseconds();
     search.begin(beam_ends(robot.sweep({}, truth), 60));

@@ -89,10 +89,10 @@ class Sensors {
 
  private:
   sensor_msgs::msg::NavSatFix fix(double t, Time now, double spoil) const {
-    Vector2 place = truth(t).position();
-    if (t >= drive_.spoilt_from) place.x() += drive_.fix_error;
+    Vector2 position = truth(t).position();
+    if (t >= drive_.spoilt_from) position.x() += drive_.fix_error;
     const auto plane = localization::LocalPlane::around(kDatum);
-    const auto on_earth = plane->to_geodetic({place.x(), place.y(), 0.0});
+    const auto on_earth = plane->to_geodetic({position.x(), position.y(), 0.0});
     sensor_msgs::msg::NavSatFix message;
     message.header(make_header("base_link", now));
     message.latitude(on_earth.latitude + spoil);
@@ -181,7 +181,7 @@ TEST(LocalizationComponent, TakesThePoseOfTheGraphAndDrivesOnByWheels) {
   EXPECT_LT(error_at_end(seen), 0.02);  // the first odometry comes 20 ms after the start
 }
 
-// A click moves the estimate there; wheels alone keep what it was off by, turned with the heading.
+// A click moves the estimate there; wheels alone keep what it was off by, rotated with the heading.
 TEST(LocalizationComponent, TakesAPoseClickedInRviz) {
   Drive drive{.compass = false, .receiver = false};
   drive.click = Pose2{10.0, 20.0, -1.0};

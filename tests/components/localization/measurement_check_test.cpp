@@ -16,9 +16,9 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const MeasurementLimits kLimits;
 
-WheelStep wheels(double distance, double turn) {
-  return step_from_wheels(Time{0}, Duration::milliseconds(100), distance - 0.2 * turn, distance + 0.2 * turn,
-                          0.4, 1e-3);
+WheelStep wheels(double distance, double rotation) {
+  return step_from_wheels(Time{0}, Duration::milliseconds(100), distance - 0.2 * rotation,
+                          distance + 0.2 * rotation, 0.4, 1e-3);
 }
 
 TEST(MeasurementCheck, SoundOnesPass) {

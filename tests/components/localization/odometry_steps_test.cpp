@@ -10,7 +10,8 @@
 namespace bw::localization {
 namespace {
 
-/// Covariance of (distance, turn) of the last of two steps of 0.1 m straight on: k 0.1 / 2 of the distance.
+/// Covariance of (distance, rotation) of the last of two steps of 0.1 m straight on: k 0.1 / 2 of the
+/// distance.
 double distance_variance(OdometrySteps steps, double heading_variance) {
   EXPECT_FALSE(steps.add(Time::seconds(1.0), {}, 0.0));
   const std::optional<WheelStep> step = steps.add(Time::seconds(1.1), {0.1, 0.0, 0.0}, heading_variance);

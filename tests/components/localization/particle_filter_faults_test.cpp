@@ -49,7 +49,7 @@ TEST(ParticleFilterGate, OutliersCostLittle) {
 }
 
 // Started 30 m off and by 2 rad: every fix is rejected, LOST after 3 s, and after 10 s the fixes take over,
-// the heading from the way driven meanwhile.
+// the heading from the path driven meanwhile.
 TEST(ParticleFilterGate, ReacquiresAfterTenSeconds) {
   DriveOptions options;
   options.compass_sigma = 0.0;
@@ -197,7 +197,7 @@ Measurement wild_measurement(Random& random, Time now) {
       step.time = time;
       step.over = Duration::milliseconds(static_cast<std::int64_t>(random.uniform() * 1100.0));
       step.distance = 0.1 * w();
-      step.turn = 0.1 * w();
+      step.rotation = 0.1 * w();
       step.covariance << w(), w(), w(), w();
       if (random.uniform() < 0.5) step.covariance = 1e-4 * Eigen::Matrix2d::Identity();
       return step;

@@ -26,7 +26,7 @@ class Rover {
   Pose2 X;
   bool stands = false;
 
-  void place(std::size_t stop) {
+  void put_at(std::size_t stop) {
     next_ = (stop + 1) % kStops.size();
     const Vector2 ahead = kStops[next_] - kStops[stop];
     X = {kStops[stop].x(), kStops[stop].y(), std::atan2(ahead.y(), ahead.x())};
@@ -36,13 +36,14 @@ class Rover {
     now = now + kPeriod;
     if ((kStops[next_] - X.position()).norm() < 0.3) next_ = (next_ + 1) % kStops.size();
     const Vector2 ahead = kStops[next_] - X.position();
-    const double turn = wrap_angle(std::atan2(ahead.y(), ahead.x()) - X.theta);
+    const double rotation = wrap_angle(std::atan2(ahead.y(), ahead.x()) - X.theta);
     const Twist2 twist =
-        stands ? Twist2{} : Twist2{std::abs(turn) > 0.5 ? 0.0 : 0.6, std::clamp(2.0 * turn, -1.0, 1.0)};
+        stands ? Twist2{}
+               : Twist2{std::abs(rotation) > 0.5 ? 0.0 : 0.6, std::clamp(2.0 * rotation, -1.0, 1.0)};
     const WheelSpeeds wheels = to_wheel_speeds(twist, 0.4);
     const auto measured = [&](double speed) {
-      const double way = 0.1 * speed;
-      return way + std::sqrt(1e-3 * std::abs(way)) * random_.normal();
+      const double distance = 0.1 * speed;
+      return distance + std::sqrt(1e-3 * std::abs(distance)) * random_.normal();
     };
     X = advance_exact(X, twist, 0.1);
     const double left = measured(wheels.left);
@@ -78,7 +79,7 @@ TEST(ParticleFilterLaser, Tracks) {
     Rover rover(1);
     ParticleFilter filter(options, 1);
     filter.set_map(rooms());
-    rover.place(0);
+    rover.put_at(0);
     filter.start_at(rover.X, start_covariance(), rover.now);
     double squares = 0.0, largest = 0.0, particles = 0.0;
     int not_ok = 0;
@@ -99,8 +100,8 @@ TEST(ParticleFilterLaser, Tracks) {
     EXPECT_LE(std::sqrt(squares), 0.08) << text_of(noise);
     EXPECT_LE(largest, 0.21) << text_of(noise);
     EXPECT_LE(particles, 850.0) << text_of(noise);
-    // These wheels leave the heading 2 degrees off after a quick turn: far walls miss until the next sweep
-    // counts.
+    // These wheels leave the heading 2 degrees off after a quick rotation: far walls miss until the next
+    // sweep counts.
     EXPECT_LE(not_ok, kSweeps / 100) << text_of(noise);
   }
 }
@@ -109,7 +110,7 @@ TEST(ParticleFilterLaser, ASweepCountsAfterWayOrTurn) {
   ParticleFilter filter(kLaserDefaults, 2);
   filter.set_map(rooms());
   Rover rover(2);
-  rover.place(0);
+  rover.put_at(0);
   filter.start_at(rover.X, start_covariance(), rover.now);
   EXPECT_EQ(rover.drive_on(filter).verdict, Verdict::accepted);  // the first one always
   int used = 0;
@@ -129,7 +130,7 @@ TEST(ParticleFilterLaser, FindsItselfOnTheWholeMap) {
     ParticleFilter filter(kLaserDefaults, seed);
     filter.set_map(rooms());
     Rover rover(seed);
-    rover.place(static_cast<std::size_t>(seed));
+    rover.put_at(static_cast<std::size_t>(seed));
     ASSERT_TRUE(filter.start_anywhere(rover.now));
     EXPECT_EQ(filter.health(rover.now).state, HealthState::lost);
     int used = 0;
@@ -151,10 +152,10 @@ TEST(ParticleFilterLaser, FindsItselfAfterBeingCarriedAway) {
     ParticleFilter filter(kLaserDefaults, seed);
     filter.set_map(rooms());
     Rover rover(seed);
-    rover.place(0);
+    rover.put_at(0);
     filter.start_at(rover.X, start_covariance(), rover.now);
     for (int i = 0; i < 50; ++i) rover.drive_on(filter);
-    rover.place(static_cast<std::size_t>(seed) + 2);
+    rover.put_at(static_cast<std::size_t>(seed) + 2);
     int used = 0;
     int good = 0;
     while (used < 30 && good < 5) {
@@ -175,11 +176,11 @@ TEST(ParticleFilterLaser, AMismatchIsLostWithinThreeSeconds) {
   ParticleFilter filter(options, 3);
   filter.set_map(rooms());
   Rover rover(3);
-  rover.place(0);
+  rover.put_at(0);
   filter.start_at(rover.X, start_covariance(), rover.now);
   for (int i = 0; i < 50; ++i) rover.drive_on(filter);
   EXPECT_EQ(filter.health(rover.now).state, HealthState::ok);
-  rover.place(10);
+  rover.put_at(10);
   rover.stands = true;
   for (int i = 0; i < 30; ++i) rover.drive_on(filter);
   EXPECT_EQ(filter.health(rover.now).state, HealthState::lost);
@@ -188,7 +189,7 @@ TEST(ParticleFilterLaser, AMismatchIsLostWithinThreeSeconds) {
 TEST(ParticleFilterLaser, GarbageIsRefusedByName) {
   ParticleFilter filter(kLaserDefaults, 4);
   Rover rover(4);
-  rover.place(0);
+  rover.put_at(0);
   Sweeper sweeper(rooms());
   LaserReading reading = sweeper.sweep(rover.now, rover.X);
   EXPECT_EQ(filter.add(reading, rover.now).verdict, Verdict::unusable);  // no pose yet

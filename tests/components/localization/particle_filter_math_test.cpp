@@ -30,11 +30,11 @@ TEST(VectorMath, AgreesWithTheLibrary) {
     const auto exponent = static_cast<float>(random.uniform(-86.0, 0.0));
     const double exact = std::exp(static_cast<double>(exponent));
     ASSERT_NEAR(fast_exp(exponent), exact, 1e-6 * exact) << exponent;
-    const double turns = random.uniform(-1e6, 1e6);
-    const double wrapped = fast_wrap(turns);
+    const double unwrapped = random.uniform(-1e6, 1e6);
+    const double wrapped = fast_wrap(unwrapped);
     ASSERT_LE(std::abs(wrapped), kPi + 1e-9);
-    ASSERT_NEAR(std::sin(wrapped - turns), 0.0, 1e-9);
-    ASSERT_NEAR(std::cos(wrapped - turns), 1.0, 1e-9);
+    ASSERT_NEAR(std::sin(wrapped - unwrapped), 0.0, 1e-9);
+    ASSERT_NEAR(std::cos(wrapped - unwrapped), 1.0, 1e-9);
   }
   EXPECT_EQ(fast_exp(0.0F), 1.0F);
   EXPECT_EQ(fast_exp(-1e9F), 0.0F);

@@ -18,16 +18,16 @@ ParticleMotionOptions plain() {
   return options;
 }
 
-WheelStep step_to(Time time, Duration over, double distance, double turn) {
+WheelStep step_to(Time time, Duration over, double distance, double rotation) {
   WheelStep step;
   step.time = time;
   step.over = over;
   step.distance = distance;
-  step.turn = turn;
+  step.rotation = rotation;
   return step;
 }
 
-// The way and its covariance are those of the EKF without corrections (both exact arcs, first order).
+// The path and its covariance are those of the EKF without corrections (both exact arcs, first order).
 TEST(OdometryTrack, WayAndCovarianceAreThoseOfTheEkf) {
   DriveOptions drive_options;
   drive_options.seconds = 5.0;
@@ -83,7 +83,8 @@ TEST(OdometryTrack, StepsOutOfOrderAndGaps) {
   EXPECT_NEAR(track.behind().covariance(0, 0), 1.9 * 1.9, 1e-9);
 }
 
-// Straight 0.5 m: way alpha3 d^2, both turns alpha2 d^2, the first of them moves the end sideways by d.
+// Straight 0.5 m: distance alpha3 d^2, both rotations alpha2 d^2, the first of them moves the end sideways by
+// d.
 TEST(OdometryTrack, AlphasAreAmcls) {
   ParticleMotionOptions options = plain();
   options.noise = MotionNoise::amcl;
@@ -100,26 +101,26 @@ TEST(OdometryTrack, AlphasAreAmcls) {
   EXPECT_NEAR(C(1, 1), 0.2 * 0.25 * 0.25, 1e-12);
   EXPECT_NEAR(C(2, 2), 2.0 * 0.2 * 0.25, 1e-12);
   EXPECT_NEAR(C(1, 2), 0.2 * 0.25 * 0.5, 1e-12);
-  // A turn on the spot by 0.4: alpha1 turn^2 of the heading, alpha4 turn^2 of the way.
+  // A rotation in place by 0.4: alpha1 rotation^2 of the heading, alpha4 rotation^2 of the distance.
   track.follow();
   track.add(step_to(kStart + second * 2, second, 0.0, 0.4));
   EXPECT_NEAR(track.behind().covariance(2, 2), 0.1 * 0.16, 1e-12);
   EXPECT_NEAR(track.behind().covariance(0, 0), 0.4 * 0.16, 1e-12);
-  // Straight back is no turn by half a circle.
+  // Straight back is no rotation by half a circle.
   track.follow();
   track.add(step_to(kStart + second * 3, second, -0.5, 0.0));
   EXPECT_NEAR(track.behind().covariance(2, 2), 2.0 * 0.2 * 0.25, 1e-12);
 }
 
-// Wheels that turn 10 % too far; the gyro gives 0.5 rad/s + bias 0.05, which 3 s of standing have shown.
+// Wheels that rotate 10 % too far; the gyro gives 0.5 rad/s + bias 0.05, which 3 s of standing have shown.
 TEST(OdometryTrack, TheGyroTurnsTheStep) {
   OdometryTrack track(plain(), Duration::seconds(2.0));
   track.restart(kStart);
-  const auto drive = [&](int from, int to, double distance, double turn, double rate) {
+  const auto drive = [&](int from, int to, double distance, double rotation, double rate) {
     for (int i = from; i < to; ++i) {
       const Time now = kStart + kStep * (i + 1);
       track.add(GyroReading{now, 1, rate, 1e-4});
-      track.add(step_to(now, kStep, distance, turn));
+      track.add(step_to(now, kStep, distance, rotation));
     }
   };
   drive(0, 300, 0.0, 0.0, 0.05);

@@ -220,7 +220,7 @@ TEST(ParticleFilter, HeadingsWrap) {
     const Time now = step_time(i);
     truth = advance_exact(truth, twist, 0.01);
     WheelStep step = step_from_twist(now, kStep, twist, Eigen::Vector2d(0.01, 0.01).asDiagonal());
-    step.turn += 1e-3 * random.normal();
+    step.rotation += 1e-3 * random.normal();
     filter.add(step, now);
     if (i % 10 == 0) {
       const double heading = wrap_angle(truth.theta + 0.05 * random.normal());

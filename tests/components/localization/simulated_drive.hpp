@@ -18,18 +18,18 @@ struct DriveOptions {
   std::uint64_t seed = 1;
   double seconds = 60.0;
   double speed = 0.8;
-  double turn_amplitude = 0.5;  ///< [rad/s], period 20 s
+  double turn_rate_amplitude = 0.5;  ///< [rad/s], period 20 s
   Pose2 start;
   double separation = 0.4;
   double wheel_variance = 1e-4;  ///< k [m]
-  double tick = 0.0;             ///< way of a wheel between two counts [m]; 0: as fine as can be
+  double tick = 0.0;             ///< travel of a wheel between two counts [m]; 0: as fine as can be
   double gyro_sigma = 0.01;      ///< 0: no gyro
   double gyro_bias = 0.0;
   double compass_sigma = 0.05;  ///< 0: no compass
   double compass_offset = 0.0;
   double gps_sigma = 0.5;  ///< 0: no receiver
   int gps_every = 20;      ///< wheel steps
-  double slip_from = 1e9;  ///< [s] then the wheels turn so many times as far as the robot moves:
+  double slip_from = 1e9;  ///< [s] then the wheels rotate so many times as far as the robot moves:
   double slip_left = 2.0;
   double slip_right = 2.0;
   double slip_for = 1.0;
@@ -56,7 +56,7 @@ inline Drive simulate(const DriveOptions& o) {
   const int steps = static_cast<int>(std::lround(o.seconds * 100.0));
   for (int i = 1; i <= steps; ++i) {
     const double t = (i - 0.5) * 0.01;
-    const Twist2 twist{o.speed, o.turn_amplitude * std::sin(2.0 * std::numbers::pi * t / 20.0)};
+    const Twist2 twist{o.speed, o.turn_rate_amplitude * std::sin(2.0 * std::numbers::pi * t / 20.0)};
     X = advance_exact(X, twist, 0.01);
     drive.truth.push_back(X);
     const Time now = step_time(i);
@@ -64,13 +64,14 @@ inline Drive simulate(const DriveOptions& o) {
     const bool slips = t >= o.slip_from && std::fmod(t - o.slip_from, o.slip_every) < o.slip_for;
     const WheelSpeeds wheels = to_wheel_speeds(twist, o.separation);
     const auto travel = [&](double speed, double slip) {
-      const double way = 0.01 * speed;
-      return (slips ? slip : 1.0) * way + std::sqrt(o.wheel_variance * std::abs(way)) * random.normal();
+      const double distance = 0.01 * speed;
+      return (slips ? slip : 1.0) * distance +
+             std::sqrt(o.wheel_variance * std::abs(distance)) * random.normal();
     };
-    const auto counted = [&](double& went, double way) {
+    const auto counted = [&](double& went, double distance) {
       const double before = o.tick > 0.0 ? std::floor(went / o.tick) : 0.0;
-      went += way;
-      return o.tick > 0.0 ? o.tick * (std::floor(went / o.tick) - before) : way;
+      went += distance;
+      return o.tick > 0.0 ? o.tick * (std::floor(went / o.tick) - before) : distance;
     };
     const double left = counted(went_left, travel(wheels.left, o.slip_left));
     const double right = counted(went_right, travel(wheels.right, o.slip_right));
@@ -82,8 +83,8 @@ inline Drive simulate(const DriveOptions& o) {
     WheelStep step = step_from_wheels(now, kStep, left, right, o.separation, o.wheel_variance);
     step.covariance = step_from_wheels(now, kStep, 0.01 * wheels.left, 0.01 * wheels.right, o.separation,
                                        o.wheel_variance)
-                          .covariance;  // of the true way: noise in its own variance is not under test
-    step.rounding = turn_rounding(o.tick, o.separation);
+                          .covariance;  // of the true path: noise in its own variance is not under test
+    step.rounding = rotation_rounding(o.tick, o.separation);
     step.source = kWheels;
     drive.measurements.push_back(step);
     if (o.gps_sigma > 0.0 && i % o.gps_every == 0) {

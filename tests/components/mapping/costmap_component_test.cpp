@@ -140,7 +140,7 @@ TEST(LocalCostmapComponent, GivesCostsAndShapesTenTimesASecond) {
   EXPECT_EQ(value_at(costs, {1.5, 0.93}), 53);
   EXPECT_EQ(value_at(costs, {3.0, -0.7}), 0);
   EXPECT_EQ(value_at(costs, {1.5, 1.75}), -1);
-  // The person walked away from 1.6 m; neither there nor along the way anything is left.
+  // The person walked away from 1.6 m; neither there nor along the path anything is left.
   for (double x = 1.3; x < 3.6; x += 0.05) EXPECT_EQ(value_at(costs, {x, -0.6}), 0) << x;
 
   // Every shape lies on the wall, within 1.5 cm.

@@ -32,7 +32,7 @@ class CostmapDrive {
   Pose2 X_MO() const { return world_.pose() * inverse(X_OB_); }
   std::vector<Disc> legs() const { return legs_.discs(world_.people()); }  ///< in map
 
-  /// Goes on to the next sweep and takes it in. With `track`, people's true places are handed in as discs.
+  /// Goes on to the next sweep and takes it in. With `track`, people's true positions are handed in as discs.
   void next_sweep(const Twist2& twist, bool track) {
     const WheelSpeeds wheels = to_wheel_speeds(twist, robot_.wheel_separation);
     for (bool done = false; !done;) {

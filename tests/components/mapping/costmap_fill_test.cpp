@@ -8,7 +8,7 @@
 namespace bw::costmap {
 namespace {
 
-// Odom lies at (1, 2) in the map, turned left by 90 degrees: odom (x, y) is map (1 - y, 2 + x).
+// Odom lies at (1, 2) in the map, rotated left by 90 degrees: odom (x, y) is map (1 - y, 2 + x).
 TEST(MapFill, FillsOnlyWhatNobodyHasSeen) {
   OccupancyGrid map = test::empty_grid(100, 100, 0.05);
   map.cells[map.index(map.column_of(0.525), map.row_of(2.325))] = OccupancyGrid::kOccupied;

@@ -53,7 +53,7 @@ SweepFault add(LocalGrid& grid, const Sweep& sweep, const std::vector<Disc>& peo
   return grid.add(sweep.scan, sweep.scan.X_FL, {0.3, {}}, people);
 }
 
-// The rules of the header applied to every beam and every cell by slabs, over four sweeps from places that
+// The rules of the header applied to every beam and every cell by slabs, over four sweeps from positions that
 // move, with readings of every kind and people about: equal cell by cell.
 TEST(LocalGrid, EqualsBruteForceOn200RandomMaps) {
   GridOptions options{.width = 2.4,
@@ -148,16 +148,16 @@ TEST(LocalGrid, MarksASurfaceAtOnceAndASpeckAtTheSecondSweep) {
   sweep.ranges[360] = 2.0F;
   sweep.ranges[200] = 1.5F;
   sweep.ranges[201] = 1.5F;
-  const auto place = [&](std::size_t i) {
+  const auto position_of = [&](std::size_t i) {
     return Vector2(static_cast<double>(sweep.ranges[i]) *
                    direction(sweep.scan.angle_min + static_cast<double>(i) * sweep.scan.angle_increment));
   };
   add(grid, sweep);
-  EXPECT_NE(value_at(grid, place(360)), OccupancyGrid::kOccupied);
-  EXPECT_EQ(value_at(grid, place(200)), OccupancyGrid::kOccupied);
+  EXPECT_NE(value_at(grid, position_of(360)), OccupancyGrid::kOccupied);
+  EXPECT_EQ(value_at(grid, position_of(200)), OccupancyGrid::kOccupied);
   sweep.scan.time = Time::seconds(0.1);
   add(grid, sweep);
-  EXPECT_EQ(value_at(grid, place(360)), OccupancyGrid::kOccupied);
+  EXPECT_EQ(value_at(grid, position_of(360)), OccupancyGrid::kOccupied);
 }
 
 TEST(LocalGrid, TakesReadingsThatAreNoneAsUnknown) {
@@ -287,8 +287,8 @@ TEST(LocalGrid, LeavesPeopleOut) {
   EXPECT_EQ(value_at(grid, {2.01, 0.0}), OccupancyGrid::kFree);
 }
 
-// Range noise of 1 cm, a wall askew to the cells: the surface places lie on it within 1 cm, and cell centres
-// only within half a diagonal (3.5 cm).
+// Range noise of 1 cm, a wall askew to the cells: the surface positions lie on it within 1 cm, and cell
+// centres only within half a diagonal (3.5 cm).
 TEST(LocalGrid, KnowsTheSurfaceBetterThanItsCells) {
   const Segment wall{{1.5, -2.0}, {2.2, 2.0}};
   LocalGrid grid({});
@@ -305,9 +305,9 @@ TEST(LocalGrid, KnowsTheSurfaceBetterThanItsCells) {
     for (int column = 0; column < cells.width; ++column) {
       const bool faces_free = column > 0 && cells.at(column - 1, row) == OccupancyGrid::kFree;
       if (cells.at(column, row) <= 0 || !faces_free) continue;
-      const Vector2 place = cells.center(column, row) +
-                            cells.resolution * grid.surface()[cells.index(column, row)].cast<double>();
-      const double off = (nearest_point(wall, place) - place).norm();
+      const Vector2 position = cells.center(column, row) +
+                               cells.resolution * grid.surface()[cells.index(column, row)].cast<double>();
+      const double off = (nearest_point(wall, position) - position).norm();
       sum += off;
       worst = std::max(worst, off);
       ++count;

@@ -1,4 +1,4 @@
-// A sweep that takes its time, seen by a robot that turns: the wall is one, and straight.
+// A sweep that takes its time, seen by a robot that rotates: the wall is one, and straight.
 #include <gtest/gtest.h>
 
 #include "components/mapping/costmap/local_grid.hpp"
@@ -14,11 +14,11 @@ struct Marked {
 };
 
 // Cells whose centre is within one cell's edge of the wall at x = 2.525, in the middle of its column.
-Marked marked(bool each_from_its_place) {
+Marked marked(bool each_from_its_pose) {
   test::MovingSweep moving{.twist = {0.3, 1.9}, .X_BL = {}, .wall = 2.525};
   LaserSweep sweep = moving.scan();
   std::vector<Pose2> poses;
-  if (each_from_its_place) poses = beam_poses(sweep, {}, [&](Time time) { return moving.X_OB(time); });
+  if (each_from_its_pose) poses = beam_poses(sweep, {}, [&](Time time) { return moving.X_OB(time); });
   sweep.beam_poses = poses;
   LocalGrid grid({});
   for (int i = 0; i < 3; ++i) {

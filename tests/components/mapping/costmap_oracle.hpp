@@ -66,13 +66,13 @@ class CostmapOracle {
     for (int axis = 0; axis < 2; ++axis) {
       const double low = center[axis] - options_.resolution / 2.0 - a[axis];
       const double high = low + options_.resolution;
-      const double way = b[axis] - a[axis];
-      if (way == 0.0) {
+      const double offset = b[axis] - a[axis];
+      if (offset == 0.0) {
         if (low > 0.0 || high < 0.0) return std::nullopt;
         continue;
       }
-      enter = std::max(enter, std::min(low / way, high / way));
-      leave = std::min(leave, std::max(low / way, high / way));
+      enter = std::max(enter, std::min(low / offset, high / offset));
+      leave = std::min(leave, std::max(low / offset, high / offset));
     }
     if (leave <= enter) return std::nullopt;
     return std::pair{enter, leave};

@@ -1,6 +1,6 @@
 // The local costmap among walkers, in the simulated hallway: ghosts, walls, and shapes from cycle to cycle.
 // The robot drives by encoders that err: 0.4 % between the wheels (1 cm for each metre driven and metre
-// away), and noise that turns odom by 0.014 rad over the first metre (5 cm at 3.5 m).
+// away), and noise that rotates odom by 0.014 rad over the first metre (5 cm at 3.5 m).
 #include <algorithm>
 #include <cstdio>
 #include <limits>
@@ -94,7 +94,7 @@ TEST(CostmapWorld, WalkersLeaveNoGhostsTrackedOrNot) {
   }
 }
 
-/// Somebody walks straight at the robot, so that the places left lie in the shadow of the legs.
+/// Somebody walks straight at the robot, so that the points left lie in the shadow of the legs.
 TEST(CostmapWorld, NoGhostsInTheShadowOfWhoComesNearer) {
   WorldOptions world = empty_hallway();
   ScriptedPersonOptions person;
@@ -152,10 +152,10 @@ Drive drive_through(bool exact, bool surface) {
   for (int k = 0; k < 150; ++k) {
     drive.next_sweep(swaying(drive.time()), false);
     const Vector2 robot = drive.X_OB().position();
-    const std::span<const Eigen::Vector2f> places(drive.grid().surface());
+    const std::span<const Eigen::Vector2f> points(drive.grid().surface());
     const StaticObstacles now =
         extract_obstacles(drive.grid().cells(), robot, {.tolerance_cells = surface ? 0.3 : 0.5},
-                          surface ? places : places.first(0))
+                          surface ? points : points.first(0))
             .obstacles;
     result.shapes.push_back(static_cast<double>(now.size()));
     if (k >= 5) {
@@ -166,9 +166,9 @@ Drive drive_through(bool exact, bool surface) {
         for (const Vector2& p : points_on({.segments = {wall}}, X_MB.position(), 3.5)) {
           const Vector2 p_B = inverse(X_MB) * p;
           bool in_view = std::abs(std::atan2(p_B.y(), p_B.x())) < 2.3;
-          const Vector2 way = p - X_MB.position();
+          const Vector2 offset = p - X_MB.position();
           for (const Segment& other : walls)
-            in_view = in_view && ray_hit(X_MB.position(), way.normalized(), other) > way.norm() - 0.02;
+            in_view = in_view && ray_hit(X_MB.position(), offset.normalized(), other) > offset.norm() - 0.02;
           if (in_view) result.off.push_back(distance_to(now, inverse(drive.X_MO()) * p));
         }
       }
@@ -186,7 +186,7 @@ void print(const char* name, const Drive& d) {
 
 // Measured (50 and 95 %): walls off by 0.1 and 0.8 cm, shapes move by 0.04 and 0.4 cm, 6 and 10 of them; half
 // a cell (2.5 cm) off through cell centres. With encoders that err 0.4 and 2.4 cm, 0.2 and 1.2 cm, 15 and 25
-// shapes: odom turns under walls seen a moment ago.
+// shapes: odom rotates under walls seen a moment ago.
 TEST(CostmapWorld, WallsAreWhereTheyAreAndShapesKeepStill) {
   const Drive exact = drive_through(true, true);
   print("exact odometry", exact);

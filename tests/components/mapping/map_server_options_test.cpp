@@ -25,8 +25,8 @@ TEST(MapServerOptions, MakesTheHallway) {
   EXPECT_EQ(grid.at(200, 118), OccupancyGrid::kFree);
 }
 
-// A box of 2 x 1 m turned by 45 degrees: its area and outline cells are covered, a corner of its bounding box
-// is not.
+// A box of 2 x 1 m rotated by 45 degrees: its area and outline cells are covered, a corner of its bounding
+// box is not.
 TEST(MapServerOptions, FillsTurnedBoxes) {
   OccupancyGrid grid = area_grid({.length = 4.0, .width = 4.0, .resolution = 0.05});
   const BoxOptions box{.x = 2.0, .y = 2.0, .length = 2.0, .width = 1.0, .theta = std::numbers::pi / 4.0};

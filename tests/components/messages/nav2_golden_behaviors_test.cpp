@@ -69,7 +69,7 @@ Golden<Result> elapsed(std::uint16_t code) {
 }
 
 template <class Feedback>
-Golden<Feedback> turned() {
+Golden<Feedback> spun() {
   Feedback feedback;
   feedback.angular_distance_traveled(0.5F);
   return {feedback, [](CdrWriter& w) { w.floats(0.5); }};
@@ -84,20 +84,20 @@ Golden<Feedback> driven() {
 TEST(Nav2Golden, SpinOfHumble) {
   using Action = HumbleNav2::Spin;
   expect_action<Action>({spin<Action::Goal>(), write_spin}, elapsed<Action::Result>(),
-                        turned<Action::Feedback>());
+                        spun<Action::Feedback>());
 }
 
 TEST(Nav2Golden, SpinOfJazzy) {
   using Action = JazzyNav2::Spin;
   expect_action<Action>({spin<Action::Goal>(), write_spin}, elapsed<Action::Result>(703),
-                        turned<Action::Feedback>());
+                        spun<Action::Feedback>());
 }
 
 TEST(Nav2GoldenUnproved, SpinOfKiltedAndLyrical) {
   using Action = KiltedNav2::Spin;
   EXPECT_TRUE((std::is_same_v<Action, LyricalNav2::Spin>));
   expect_action<Action>({unchecked(spin<Action::Goal>()), write_unchecked_spin}, elapsed<Action::Result>(703),
-                        turned<Action::Feedback>());
+                        spun<Action::Feedback>());
 }
 
 TEST(Nav2Golden, BackUpOfHumble) {

@@ -50,9 +50,9 @@ TEST(TrackMovers, TracksOfNowKeepTheirPlaceAndTurn) {
   EXPECT_NEAR(mover.predictions[2].time, 0.9, 1e-12);
   EXPECT_NEAR((mover.predictions[2].position - Vector2(8.0, 22.8)).norm(), 0.0, 1e-12);
   // A quarter turn swaps the variances and changes the sign between them.
-  Eigen::Matrix2d turned;
-  turned << 0.2, -0.1, -0.1, 0.4;
-  EXPECT_NEAR((mover.predictions[2].covariance - turned).norm(), 0.0, 1e-12);
+  Eigen::Matrix2d rotated;
+  rotated << 0.2, -0.1, -0.1, 0.4;
+  EXPECT_NEAR((mover.predictions[2].covariance - rotated).norm(), 0.0, 1e-12);
 }
 
 // 0.45 s later it is half way between the first two predictions, at x = 1.9, and of the predictions those at

@@ -67,7 +67,7 @@ TEST(Arc, QuarterOfACircleThereAndBack) {
   EXPECT_LT(difference(advance_arc(end, -2.0 * quarter, -quarter), {}).norm(), 1e-14);
   const ArcTravel travel = arc_between({}, end);
   EXPECT_NEAR(travel.distance, 2.0 * quarter, 1e-14);
-  EXPECT_NEAR(travel.turn, quarter, 1e-14);
+  EXPECT_NEAR(travel.rotation, quarter, 1e-14);
 }
 
 }  // namespace

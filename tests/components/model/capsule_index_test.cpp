@@ -13,12 +13,12 @@ Capsule random_capsule(Random& random, double extent) {
   const Vector2 a(random.uniform(-extent, extent), random.uniform(-extent, extent));
   const double kind = random.uniform();
   const double length = kind < 0.4 ? 0.0 : kind < 0.6 ? 0.05 : kind < 0.8 ? 1.0 : 30.0;
-  const Vector2 way(random.uniform(-length, length), random.uniform(-length, length));
-  return {a, a + way, random.uniform() < 0.5 ? 0.0 : random.uniform(0.0, 0.6)};
+  const Vector2 axis(random.uniform(-length, length), random.uniform(-length, length));
+  return {a, a + axis, random.uniform() < 0.5 ? 0.0 : random.uniform(0.0, 0.6)};
 }
 
 // From none to thousands of capsules, on a table and in a hall, near the origin and 100 km away: no capsule
-// within reach is missed, and what is far from the place is hardly looked at.
+// within reach is missed, and what is far from the position is hardly looked at.
 TEST(CapsuleIndex, FindsAllThatALookAtEachOneFinds) {
   Random random(41);
   std::size_t within = 0, groups_seen = 0, looks_of_brute_force = 0;
@@ -35,17 +35,17 @@ TEST(CapsuleIndex, FindsAllThatALookAtEachOneFinds) {
     const CapsuleIndex index(capsules);
     ASSERT_EQ(index.size(), capsules.size());
     for (int query = 0; query < 10; ++query) {
-      const Vector2 place =
+      const Vector2 position =
           origin + Vector2(random.uniform(-extent, extent), random.uniform(-extent, extent));
       const double reach = query == 0 ? 0.0 : random.uniform(0.0, 3.0);
       std::set<std::uint32_t> seen;
-      index.visit_near(place, reach, [&](const CapsuleIndex::Group& group) {
+      index.visit_near(position, reach, [&](const CapsuleIndex::Group& group) {
         for (const std::uint32_t i : index.members(group)) seen.insert(i);
         ++groups_seen;
       });
       looks_of_brute_force += capsules.size();
       for (std::uint32_t i = 0; i < capsules.size(); ++i) {
-        if (distance_to(place, capsules[i]).distance > reach - 1e-9) continue;
+        if (distance_to(position, capsules[i]).distance > reach - 1e-9) continue;
         ++within;
         EXPECT_TRUE(seen.contains(i)) << "scene " << scene << " capsule " << i;
       }
@@ -63,9 +63,9 @@ TEST(CapsuleIndex, FindsWhatReachesFarAmongManySmallOnes) {
   capsules.push_back({{-1e6, 0.0}, {1e6, 0.0}, 0.0});
   capsules.push_back({{100.0, -60.0}, {100.0, -60.0}, 50.0});
   const CapsuleIndex index(capsules);
-  const auto found_at = [&](const Vector2& place, double reach) {
+  const auto found_at = [&](const Vector2& position, double reach) {
     std::set<std::uint32_t> found;
-    index.visit_near(place, reach, [&](const CapsuleIndex::Group& group) {
+    index.visit_near(position, reach, [&](const CapsuleIndex::Group& group) {
       for (const std::uint32_t i : index.members(group)) found.insert(i);
     });
     return found;

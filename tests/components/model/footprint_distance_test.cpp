@@ -39,12 +39,12 @@ Case random_case(Random& random) {
   Case c{.footprint = random_polygon(random),
          .pose = {random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0), random.uniform(-3.1, 3.1)},
          .capsule = {}};
-  const auto place = [&] {
+  const auto position_of = [&] {
     const double x = random.uniform(-1.2, 1.2);
     return c.pose * Vector2(x, random.uniform(-1.2, 1.2));
   };
-  c.capsule.a = place();
-  c.capsule.b = random.uniform() < 0.4 ? c.capsule.a : place();
+  c.capsule.a = position_of();
+  c.capsule.b = random.uniform() < 0.4 ? c.capsule.a : position_of();
   c.capsule.radius = random.uniform(0.0, 0.3);
   return c;
 }
@@ -94,8 +94,8 @@ TEST(FootprintDistance, InsideIsHowFarTheRobotMustMove) {
     EXPECT_NEAR(gap_after(-found.distance * found.gradient), 0.0, 1e-9)
         << "seed " << kSeed + 1 << " case " << i;
     for (int k = 0; k < 36; ++k) {
-      const Vector2 way = direction(2.0 * std::numbers::pi * k / 36.0);
-      EXPECT_LT(gap_after(-0.99 * found.distance * way), 0.0)
+      const Vector2 away = direction(2.0 * std::numbers::pi * k / 36.0);
+      EXPECT_LT(gap_after(-0.99 * found.distance * away), 0.0)
           << "seed " << kSeed + 1 << " case " << i << " way " << k;
     }
   }
@@ -118,7 +118,7 @@ TEST(FootprintDistance, DerivativesAreThoseOfTheDistance) {
     };
     const double worst = std::max({std::abs(found.gradient.x() - slope(&Pose2::x)),
                                    std::abs(found.gradient.y() - slope(&Pose2::y)),
-                                   std::abs(found.turn - slope(&Pose2::theta))});
+                                   std::abs(found.by_theta - slope(&Pose2::theta))});
     if (worst > 1e-5) ++off;
   }
   EXPECT_LE(off, 3) << "seed " << kSeed + 2;

@@ -26,7 +26,7 @@ TEST(LaserSweep, ABeamIsAHitFreeOrUnknown) {
 }
 
 TEST(LaserSweep, FaultsOfTheWholeAreNamed) {
-  constexpr double kTurn = 2.0 * std::numbers::pi;
+  constexpr double kTwoPi = 2.0 * std::numbers::pi;
   const std::vector<float> blind(400, kNan);  // what beams say is another matter
   const auto fault = [&](auto change) {
     LaserSweep sweep{.angle_min = -1.0,
@@ -52,7 +52,8 @@ TEST(LaserSweep, FaultsOfTheWholeAreNamed) {
   EXPECT_EQ(fault([](S& s) { s.X_FL.theta = std::nan(""); }), bad_pose);
   EXPECT_EQ(fault([](S& s) { s.X_FL.x = 2e6; }), bad_pose);
 
-  // angle_max may be one step off either way, not two; without it any number will do from two up to a turn.
+  // angle_max may be one step off either way, not two; without it any number will do from two up to a
+  // revolution.
   EXPECT_EQ(fault([&](S& s) { s.ranges = beams(200); }), none);
   EXPECT_EQ(fault([&](S& s) { s.ranges = beams(202); }), none);
   EXPECT_EQ(fault([&](S& s) { s.ranges = beams(199); }), wrong_length);
@@ -61,7 +62,7 @@ TEST(LaserSweep, FaultsOfTheWholeAreNamed) {
   EXPECT_EQ(fault([](S& s) { s.angle_max = std::nan(""); }), wrong_length);
   const auto unbound = [&](std::size_t count) {
     return fault(
-        [&](S& s) { s.ranges = beams(count), s.angle_max.reset(), s.angle_increment = kTurn / 360; });
+        [&](S& s) { s.ranges = beams(count), s.angle_max.reset(), s.angle_increment = kTwoPi / 360; });
   };
   EXPECT_EQ(unbound(0), wrong_length);
   EXPECT_EQ(unbound(1), wrong_length);

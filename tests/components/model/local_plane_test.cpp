@@ -78,9 +78,9 @@ TEST(LocalPlane, ThereAndBackWithinAMicrometre) {
     const LocalPlane p =
         plane(random.uniform(-90.0, 90.0), random.uniform(-180.0, 180.0), random.uniform(-100.0, 3000.0));
     const double reach = std::pow(10.0, random.uniform(0.0, 6.0));
-    const Eigen::Vector3d place(random.uniform(-reach, reach), random.uniform(-reach, reach),
-                                random.uniform(-1000.0, 1000.0));
-    ASSERT_LT((p.to_plane(p.to_geodetic(place)) - place).norm(), 1e-6) << i;
+    const Eigen::Vector3d position(random.uniform(-reach, reach), random.uniform(-reach, reach),
+                                   random.uniform(-1000.0, 1000.0));
+    ASSERT_LT((p.to_plane(p.to_geodetic(position)) - position).norm(), 1e-6) << i;
   }
 }
 

@@ -20,7 +20,7 @@ struct MovingSweep {
   Pose2 X_BL{0.1, -0.05, 0.3};
   double wall = 2.5;  ///< [m]
   Time time = Time::seconds(50.0);
-  double turn = 1.0 / 7.0;  ///< [s]
+  double period = 1.0 / 7.0;  ///< [s]
   int beams = 720;
   bool clockwise = true;  ///< in time: beams are listed counter-clockwise
   std::vector<float> ranges = {};
@@ -37,7 +37,7 @@ struct MovingSweep {
                      .range_min = 0.05,
                      .range_max = 8.0,
                      .ranges = ranges,
-                     .time_increment = (clockwise ? -turn : turn) / beams};
+                     .time_increment = (clockwise ? -period : period) / beams};
     for (std::size_t i = 0; i < ranges.size(); ++i) {
       const double taken = sweep.time_increment * (static_cast<double>(i) - beams / 2.0);
       const Pose2 X_OL = X_OB(time + Duration::seconds(taken)) * X_BL;

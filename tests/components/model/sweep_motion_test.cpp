@@ -23,8 +23,8 @@ TEST(SweepMotion, TheWayOfOneVelocityIsItsArc) {
     for (const double share : {-0.5, 0.0, 0.3, 1.0, 1.4}) {
       const Pose2 there = advance_exact(start, twist, 0.2);
       const Pose2 between = advance_exact(start, twist, 0.2 * share);
-      expect_near(on_the_way(start, there, share), between, 1e-12, share);
-      expect_near(on_the_way(start * aside, there * aside, share), between * aside, 1e-12, share);
+      expect_near(pose_between(start, there, share), between, 1e-12, share);
+      expect_near(pose_between(start * aside, there * aside, share), between * aside, 1e-12, share);
     }
   }
 }
@@ -39,7 +39,7 @@ TEST(SweepMotion, EachBeamIsFromWhereTheScannerWas) {
     // Times are whole nanoseconds: 2 nm at these speeds.
     expect_near(poses[360], moving.X_BL, 1e-8, 360);
     const double end =
-        clockwise ? 1.0 / 14.0 : -1.0 / 14.0;  // the first beam of a clockwise turn is taken last
+        clockwise ? 1.0 / 14.0 : -1.0 / 14.0;  // the first beam of a clockwise revolution is taken last
     expect_near(poses[0], advance_exact({}, moving.twist, end) * moving.X_BL, 1e-8, 0);
     expect_near(poses[180], advance_exact({}, moving.twist, end / 2.0) * moving.X_BL, 1e-8, 180);
     for (std::size_t i = 0; i < 720; ++i) {
@@ -67,7 +67,7 @@ TEST(SweepMotion, WhatIsNotKnownYetGoesOnAsBefore) {
   expect_near(known_until(0.03).at(0), last, 1e-7, 0);
   EXPECT_TRUE(known_until(-0.06).empty());  // one knot
   // At rest until the middle, then driving on at 0.7 m/s: half a turn later, 1/14 s, 5 cm ahead. Of seven
-  // intervals the fourth holds the middle, where the way begins 1/98 s later than its straight line: at most
+  // intervals the fourth holds the middle, where the path begins 1/98 s later than its straight line: at most
   // 0.7 / 98 / 4 = 2 mm off.
   const auto pose_at = [&](Time time) {
     return Pose2{0.7 * std::max(0.0, (time - moving.time).to_seconds()), 0.0, 0.0};

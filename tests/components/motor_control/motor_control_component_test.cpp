@@ -58,7 +58,7 @@ TEST(MotorControlComponent, ReachesTheCommandAndStopsWhenCommandsStop) {
   EXPECT_EQ(list.back(), 0.0);
 }
 
-// Straight on at one ground speed, the larger wheel turns slower: rates as 1 to 1.01.
+// Straight on at one ground speed, the larger wheel rotates slower: rates as 1 to 1.01.
 TEST(MotorControlComponent, TurnsWheelsOfTwoSizesAtTheirOwnRates) {
   std::vector<double> rates;
   run_with_script(

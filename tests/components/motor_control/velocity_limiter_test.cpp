@@ -54,9 +54,9 @@ TEST(Saturate, KeepsTheCurvature) {
   const Twist2 fast = saturate({2.0, 1.0}, limits, 0.4, 10.0);
   EXPECT_NEAR(fast.v, 1.0, 1e-15);
   EXPECT_NEAR(fast.omega, 0.5, 1e-15);
-  const Twist2 turning = saturate({0.5, -4.0}, limits, 0.4, 10.0);
-  EXPECT_NEAR(turning.v, 0.125, 1e-15);
-  EXPECT_NEAR(turning.omega, -1.0, 1e-15);
+  const Twist2 limited = saturate({0.5, -4.0}, limits, 0.4, 10.0);
+  EXPECT_NEAR(limited.v, 0.125, 1e-15);
+  EXPECT_NEAR(limited.omega, -1.0, 1e-15);
   const Twist2 back = saturate({-1.0, 0.5}, limits, 0.4, 10.0);
   EXPECT_NEAR(back.v, -0.2, 1e-15);
   EXPECT_NEAR(back.omega, 0.1, 1e-15);
@@ -225,7 +225,7 @@ TEST(VelocityLimiter, StopOverridesAFreshCommand) {
 }
 
 TEST(VelocityLimiter, HardBrakingReachesALowerSpeedAtTheStopDecelerationOnTheSameCurve) {
-  for (const double alpha_max : {1.5, 6.0}) {  // however soon it could stop turning
+  for (const double alpha_max : {1.5, 6.0}) {  // however soon it could stop rotating
     Robot robot;
     robot.limits = {
         .v_max = 1.0, .omega_max = 1.0, .acc_max = 1.0, .alpha_max = alpha_max, .stop_deceleration = 2.0};
@@ -250,7 +250,7 @@ TEST(VelocityLimiter, HardBrakingReachesALowerSpeedAtTheStopDecelerationOnTheSam
 }
 
 // On the spot a wheel, 0.195 m off the middle, loses 2 m/s^2: 10.26 rad/s^2, which is what the collision
-// monitor reckons with; alpha_max is for turns that nothing limits.
+// monitor reckons with; alpha_max is for rotations that nothing limits.
 TEST(VelocityLimiter, HardBrakingOfATurnIsThatOfTheWheels) {
   Robot robot;
   robot.limits = {.v_max = 1.0, .omega_max = 1.0, .acc_max = 1.0, .alpha_max = 1.5, .stop_deceleration = 2.0};

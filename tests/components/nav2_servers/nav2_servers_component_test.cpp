@@ -228,19 +228,19 @@ TEST(Nav2Servers, PosesArePlannedThrough) {
 // The controller is given the newer path while it drives: the robot never stands between.
 TEST(Nav2Servers, ANewerGoalPreemptsWithoutAStop) {
   Drive<JazzyNav2> drive;
-  std::vector<double> way;
+  std::vector<double> positions;
   drive.go("jazzy", 12.0,
            {{1.0, [&] { drive.send(20.0); }},
             {3.0,
              [&] {
-               way.push_back(drive.servers.x);
+               positions.push_back(drive.servers.x);
                drive.send(8.0);
              }},
-            {4.0, [&] { way.push_back(drive.servers.x); }}});
+            {4.0, [&] { positions.push_back(drive.servers.x); }}});
   EXPECT_THAT(drive.to_pose.goals[0].ends, ElementsAre(GoalStatus::aborted));
   EXPECT_EQ(drive.to_pose.goals[0].result.error_msg(), "preempted by goal 2");
   EXPECT_THAT(drive.to_pose.goals[1].ends, ElementsAre(GoalStatus::succeeded));
-  EXPECT_NEAR(way[1] - way[0], 1.0, 0.051);
+  EXPECT_NEAR(positions[1] - positions[0], 1.0, 0.051);
 }
 
 TEST(Nav2Servers, ACanceledGoalCancelsTheControllers) {

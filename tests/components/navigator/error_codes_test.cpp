@@ -34,7 +34,7 @@ struct Case {
   std::uint16_t alone;
   std::uint16_t among_poses;
   PlannerWorld world{};
-  bool is_a_place = true;  ///< false: a list that holds it is not taken up at all
+  bool is_a_pose = true;  ///< false: a list that holds it is not taken up at all
 };
 
 PoseStamped pose(double x, double y, const std::string& frame = "map") {
@@ -44,13 +44,13 @@ PoseStamped pose(double x, double y, const std::string& frame = "map") {
   return stamped;
 }
 
-PoseStamped turned_by_nothing() {
+PoseStamped without_rotation() {
   PoseStamped stamped = pose(2.0, 3.0);
   stamped.pose().orientation().w(0.0);
   return stamped;
 }
 
-/// The robot at (x, y) of the map: odom is turned by a right angle at (1, 3).
+/// The robot at (x, y) of the map: odom is rotated by a right angle at (1, 3).
 PlannerWorld with_robot_at(double x, double y) {
   return {.X_OB = inverse(kX_MO) * Pose2{x, y, std::numbers::pi / 2.0}};
 }
@@ -65,11 +65,11 @@ std::vector<Case> cases() {
           {pose(4.0, 3.0), alone::TIMEOUT, through::TIMEOUT, {.has_map = false}},
           {pose(4.0, 3.0, "mars"), alone::TF_ERROR, through::TF_ERROR, {}, false},
           {pose(kNan, 3.0), alone::TF_ERROR, through::TF_ERROR, {}, false},
-          {turned_by_nothing(), alone::TF_ERROR, through::TF_ERROR, {}, false}};
+          {without_rotation(), alone::TF_ERROR, through::TF_ERROR, {}, false}};
 }
 
 /// Every way in, one after the other. No recovery, no second try: what the planner says first ends the goal.
-struct Ways {
+struct Interfaces {
   SentGoals<JazzyNav2::ComputePathToPose> path;
   SentGoals<JazzyNav2::ComputePathThroughPoses> path_through;
   SentGoals<JazzyNav2::NavigateToPose> navigate;
@@ -136,22 +136,22 @@ struct Ways {
 TEST(ErrorCodes, AreNav2sByEachWayIn) {
   for (const Case& one : cases()) {
     SCOPED_TRACE(one.alone);
-    Ways ways;
-    ways.go(one);
-    EXPECT_EQ(ways.path.goals[0].result.error_code(), one.alone);
-    EXPECT_EQ(ways.path_through.goals[0].result.error_code(), one.among_poses);
-    EXPECT_EQ(ways.navigate.goals[0].result.error_code(), one.alone);
-    EXPECT_EQ(ways.navigate_through.goals[0].result.error_code(), one.among_poses);
-    const auto& list = ways.list.goals[0].result;
-    if (one.is_a_place) {
+    Interfaces interfaces;
+    interfaces.go(one);
+    EXPECT_EQ(interfaces.path.goals[0].result.error_code(), one.alone);
+    EXPECT_EQ(interfaces.path_through.goals[0].result.error_code(), one.among_poses);
+    EXPECT_EQ(interfaces.navigate.goals[0].result.error_code(), one.alone);
+    EXPECT_EQ(interfaces.navigate_through.goals[0].result.error_code(), one.among_poses);
+    const auto& list = interfaces.list.goals[0].result;
+    if (one.is_a_pose) {
       ASSERT_EQ(list.missed_waypoints().size(), 1U);
       EXPECT_EQ(list.missed_waypoints()[0].error_code(), one.alone);
     } else {
       EXPECT_EQ(list.error_code(), waypoints::UNKNOWN);
     }
     // The topic has no result: its status says the sentence.
-    EXPECT_EQ(ways.status.reason(), ways.navigate.goals[0].result.error_msg());
-    EXPECT_EQ(ways.status.status(), bandwagon_msgs::msg::NavigationStatus_Constants::ABORTED);
+    EXPECT_EQ(interfaces.status.reason(), interfaces.navigate.goals[0].result.error_msg());
+    EXPECT_EQ(interfaces.status.status(), bandwagon_msgs::msg::NavigationStatus_Constants::ABORTED);
   }
 }
 

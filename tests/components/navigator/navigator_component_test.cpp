@@ -139,7 +139,7 @@ TEST(NavigatorComponent, KeepsItsLastStatusForWhoeverComesLate) {
   EXPECT_EQ(heard.back(), NavigationStatus_Constants::SUCCEEDED);
 }
 
-geometry_msgs::msg::PoseStamped turned_goal(double x, std::array<double, 4> xyzw) {
+geometry_msgs::msg::PoseStamped rotated_goal(double x, std::array<double, 4> xyzw) {
   geometry_msgs::msg::PoseStamped message = goal(x);
   auto& q = message.pose().orientation();
   q.x(xyzw[0]);
@@ -157,11 +157,11 @@ TEST(NavigatorComponent, TakesQuaternionsOfAnyLengthButNone) {
     world.configure(setup);
     setup.every(Duration::milliseconds(1000), "goals",
                 [out = setup.output<geometry_msgs::msg::PoseStamped>("goal_pose")](const Tick& tick) mutable {
-                  if (tick.sequence == 0) out.publish(turned_goal(30.0, {0, 0, 0, 0}));
-                  if (tick.sequence == 1) out.publish(turned_goal(30.0, {0, 0, kNan, 1}));
-                  if (tick.sequence == 2) out.publish(turned_goal(kNan, {0, 0, 0, 1}));
-                  if (tick.sequence == 3) out.publish(turned_goal(30.0, {0, 0, 1, 1}));
-                  if (tick.sequence == 4) out.publish(turned_goal(30.0, {0, 0, 0.01, 0.01}));
+                  if (tick.sequence == 0) out.publish(rotated_goal(30.0, {0, 0, 0, 0}));
+                  if (tick.sequence == 1) out.publish(rotated_goal(30.0, {0, 0, kNan, 1}));
+                  if (tick.sequence == 2) out.publish(rotated_goal(kNan, {0, 0, 0, 1}));
+                  if (tick.sequence == 3) out.publish(rotated_goal(30.0, {0, 0, 1, 1}));
+                  if (tick.sequence == 4) out.publish(rotated_goal(30.0, {0, 0, 0.01, 0.01}));
                 });
   });
   std::vector<std::string> refused;

@@ -31,7 +31,7 @@ TEST(Navigator, BlockedForGoodWaitsBacksOffAndGivesUpWithTheReason) {
 TEST(Navigator, BlockedForAWhileGoesOnAndForgetsItsRecoveries) {
   Drive drive;
   drive.go_to(40.0);
-  for (int block = 0; block < 10; ++block) {  // ten blocks with 2 m of way between them: never six in a row
+  for (int block = 0; block < 10; ++block) {  // ten blocks, 2 m of travel between them: never six in a row
     drive.follow_state = FollowState::blocked;
     drive.run(6.0);
     drive.follow_state = FollowState::following;

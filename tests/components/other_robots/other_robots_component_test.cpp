@@ -124,7 +124,7 @@ TEST(OtherRobots, TheirOwnWordTakesThePlaceOfWhatTheLaserSeesOfThem) {
   EXPECT_EQ(message.header().frame_id(), "robot1/odom");
   const Track& robot = message.tracks().back();
   EXPECT_NEAR(robot.position().x(), 4.0 + 0.5 * t,
-              0.011);  // 20 ms of its way, the newest message may be of before
+              0.011);  // 20 ms of its path, the newest message may be of before
   EXPECT_NEAR(robot.velocity().x(), 0.5, 1e-9);
   EXPECT_EQ(robot.radius(), 0.3);  // that of the robot itself
   ASSERT_EQ(robot.predictions().size(), 8U);

@@ -21,7 +21,7 @@ RobotReport report() {
 }
 
 TEST(RobotTrack, IsCarriedToTheTimeAndIntoTheFrameOfTheTracks) {
-  // The frame lies at (1, 0) of map and is turned by 90 degrees: (4, 1 + 0.08) of map is (1.08, -3) there.
+  // The frame lies at (1, 0) of map and is rotated by 90 degrees: (4, 1 + 0.08) of map is (1.08, -3) there.
   const Pose2 X_FM = inverse(Pose2{1.0, 0.0, kQuarter});
   const TrackedPerson track = robot_track(report(), X_FM, kNow + Duration::milliseconds(100), 7, 0.25, {});
   EXPECT_EQ(track.id, 7U);

@@ -9,7 +9,7 @@ namespace {
 
 const Disc kLeg{{2.0, 0.5}, 0.07};
 
-/// The detection nearest to a place.
+/// The detection nearest to a position.
 const Detection* at(const DetectionSet& set, const Vector2& p_O) {
   const Detection* best = nullptr;
   for (const Detection& d : set.detections) {

@@ -36,8 +36,8 @@ struct MotionScore {
   Mean nees;                     ///< of the velocity: 2 when the covariance is true
   Mean nees_steady;              ///< of those who kept theirs for 0.5 s
   Mean inside_95;                ///< share of velocities within 5.99
-  std::array<Mean, 2> straight;  ///< error of the place foreseen, velocity kept, at kAhead [m]
-  std::array<Mean, 2> turning;   ///< the same, turn kept as the predictor's constant_turn_rate does [m]
+  std::array<Mean, 2> straight;  ///< error of the position foreseen, velocity kept, at kAhead [m]
+  std::array<Mean, 2> rotating;  ///< the same, turn rate kept as the predictor's constant_turn_rate does [m]
 
   void add(const MotionScore& other) {
     score.add(other.score);
@@ -46,7 +46,7 @@ struct MotionScore {
     inside_95.add(other.inside_95);
     for (std::size_t k = 0; k < kAhead.size(); ++k) {
       straight[k].add(other.straight[k]);
-      turning[k].add(other.turning[k]);
+      rotating[k].add(other.rotating[k]);
     }
   }
 };
@@ -57,7 +57,7 @@ class MotionJudge {
   explicit MotionJudge(Trial& trial)
       : trial_(&trial),
         straight_(with(PredictionModel::constant_velocity)),
-        turning_(with(PredictionModel::constant_turn_rate)) {
+        rotating_(with(PredictionModel::constant_turn_rate)) {
     trial.keeper().on_followed = [this](const TruePerson& person, const TrackedPerson& track, bool steady) {
       judge(person, track, steady);
       followed_.push_back({person.id, track.id});
@@ -80,7 +80,7 @@ class MotionJudge {
     std::uint32_t person;
     double due;  ///< [s]
     std::size_t ahead;
-    Vector2 straight, turning;  ///< in M
+    Vector2 straight, rotating;  ///< in M
   };
 
   static PredictionOptions with(PredictionModel model) {
@@ -107,22 +107,22 @@ class MotionJudge {
       if (f.due > now + 1e-6) return false;
       for (const TruePerson& person : truth) {
         if (person.id != f.person) continue;
-        const Vector2 place = X_MO * person.position;
-        result_.straight[f.ahead].add((place - f.straight).norm());
-        result_.turning[f.ahead].add((place - f.turning).norm());
+        const Vector2 position = X_MO * person.position;
+        result_.straight[f.ahead].add((position - f.straight).norm());
+        result_.rotating[f.ahead].add((position - f.rotating).norm());
       }
       return true;
     });
     std::vector<TrackedPerson> straight = tracks;
-    std::vector<TrackedPerson> turning = tracks;
+    std::vector<TrackedPerson> rotating = tracks;
     straight_.predict(straight, {}, stamp);
-    turning_.predict(turning, {}, stamp);
+    rotating_.predict(rotating, {}, stamp);
     for (const Followed& f : followed_) {
       for (std::size_t i = 0; i < tracks.size(); ++i) {
         if (tracks[i].id != f.track) continue;
         for (std::size_t k = 0; k < kAhead.size(); ++k)
           foreseen_.push_back({f.person, now + kAhead[k], k, X_MO * straight[i].predictions[k].position,
-                               X_MO * turning[i].predictions[k].position});
+                               X_MO * rotating[i].predictions[k].position});
       }
     }
     followed_.clear();
@@ -130,7 +130,7 @@ class MotionJudge {
 
   Trial* trial_;
   Predictor straight_;
-  Predictor turning_;
+  Predictor rotating_;
   MotionScore result_;
   std::vector<Followed> followed_;
   std::vector<Foreseen> foreseen_;

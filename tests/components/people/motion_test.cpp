@@ -23,8 +23,8 @@ std::vector<Candidate> candidates() {
   gait.motion = MotionFilter::gait;
   TrackerOptions heading;
   heading.motion = MotionFilter::heading;
-  TrackerOptions turning = heading;
-  turning.heading.turn_rate = true;
+  TrackerOptions rotating = heading;
+  rotating.heading.turn_rate = true;
   TrackerOptions gliding = heading;  // never has a heading
   gliding.heading.walking_speed = 100.0;
   gliding.heading.acceleration_standing = 0.5;
@@ -34,7 +34,7 @@ std::vector<Candidate> candidates() {
   as_planned.heading.position_noise = 0.05;
   return {{"gait", gait},
           {"heading", heading},
-          {"heading, turn rate", turning},
+          {"heading, turn rate", rotating},
           {"constant velocity", gliding},
           {"heading, noise first planned", as_planned}};
 }
@@ -74,7 +74,8 @@ void print(const std::string& name, const std::vector<MotionScore>& scores,
       "straight on %.4f / %.4f m  turning %.4f / %.4f m  better in %d, %d of %zu rooms  %ld velocities\n",
       name.c_str(), all.score.velocity_rmse(), all.score.steady_rmse(), all.score.motp(), all.nees.value(),
       all.nees_steady.value(), all.inside_95.value(), all.straight[0].value(), all.straight[1].value(),
-      all.turning[0].value(), all.turning[1].value(), faster, foreseen, scores.size(), all.score.velocities);
+      all.rotating[0].value(), all.rotating[1].value(), faster, foreseen, scores.size(),
+      all.score.velocities);
   std::fflush(stdout);
 }
 

@@ -35,7 +35,8 @@ struct Seen {
   visualization_msgs::msg::MarkerArray leg_markers;
 };
 
-/// A room with two walkers and somebody who stands; the laser sits 0.2 m before the wheels, half turned.
+/// A room with two walkers and somebody who stands; the laser sits 0.2 m before the wheels, half a turn
+/// round.
 const char* const kRoom = R"(
 robot: {sensors: [{frame: laser, x: 0.2, y: 0.05, theta: 0.5}]}
 components:

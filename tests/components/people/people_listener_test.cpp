@@ -1,5 +1,5 @@
 // people_msgs/People on the topic `people` as the only eyes: each message is one person at (2, 1) in `map`,
-// walking 1 m/s along its x. odom is turned by a quarter: map's x is odom's -y.
+// walking 1 m/s along its x. odom is rotated by a quarter: map's x is odom's -y.
 #include <cmath>
 #include <numbers>
 

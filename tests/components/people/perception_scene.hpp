@@ -33,7 +33,7 @@ struct Scene {
   WorldOptions options;
   WorldFiles files;
   Robot robot;
-  std::vector<Vector2> places;  ///< free of furniture, for the robot to go to
+  std::vector<Vector2> positions;  ///< free of furniture, for the robot to go to
 };
 
 class SceneMaker {
@@ -90,18 +90,18 @@ class SceneMaker {
   /// Somewhere at least `clearance` away from where the robot starts and from other furniture.
   Vector2 spot(double clearance) {
     for (int attempt = 0; attempt < 200; ++attempt) {
-      const Vector2 place = anywhere(0.3);
+      const Vector2 position = anywhere(0.3);
       bool good = true;
-      for (const Vector2& kept : keep_) good = good && (place - kept).norm() > clearance;
-      if (good) return place;
+      for (const Vector2& kept : keep_) good = good && (position - kept).norm() > clearance;
+      if (good) return position;
     }
     return {0.3, 0.3};
   }
 
   void legs(Scene& scene, double length, double width, double radius) {
-    const Vector2 place = spot(1.2);
-    const Pose2 X{place.x(), place.y(), random_.uniform(-3.1, 3.1)};
-    keep_.push_back(place);
+    const Vector2 position = spot(1.2);
+    const Pose2 X{position.x(), position.y(), random_.uniform(-3.1, 3.1)};
+    keep_.push_back(position);
     for (const double x : {-length / 2, length / 2})
       for (const double y : {-width / 2, width / 2})
         scene.files.shapes.discs.push_back({X * Vector2(x, y), radius});
@@ -109,18 +109,18 @@ class SceneMaker {
 
   void furnish(Scene& scene) {
     for (int i = 0; i < 4; ++i) {  // cupboards and boxes
-      const Vector2 place = spot(1.4);
-      keep_.push_back(place);
-      scene.options.boxes.push_back({place.x(), place.y(), random_.uniform(0.2, 1.2),
+      const Vector2 position = spot(1.4);
+      keep_.push_back(position);
+      scene.options.boxes.push_back({position.x(), position.y(), random_.uniform(0.2, 1.2),
                                      random_.uniform(0.2, 0.7), random_.uniform(-1.5, 1.5)});
     }
     for (int i = 0; i < 5; ++i) legs(scene, 0.42, 0.42, random_.uniform(0.012, 0.03));  // chairs
     for (int i = 0; i < 2; ++i)
       legs(scene, random_.uniform(0.8, 1.6), 0.8, random_.uniform(0.02, 0.05));  // tables
     for (int i = 0; i < 3; ++i) {                                                // pillars, plant pots
-      const Vector2 place = spot(1.2);
-      keep_.push_back(place);
-      scene.files.shapes.discs.push_back({place, random_.uniform(0.1, 0.25)});
+      const Vector2 position = spot(1.2);
+      keep_.push_back(position);
+      scene.files.shapes.discs.push_back({position, random_.uniform(0.1, 0.25)});
     }
   }
 
@@ -129,7 +129,7 @@ class SceneMaker {
     const auto stand = [&](Piece piece, int count, double clearance) {
       for (; count > 0; --count) furniture.add(piece, somewhere(clearance), random_);
     };
-    for (int i = 0; i < 3; ++i) furniture.add_dining_place(somewhere(2.2), random_);
+    for (int i = 0; i < 3; ++i) furniture.add_dining_table(somewhere(2.2), random_);
     stand(Piece::shelf, 2, 2.2);
     stand(Piece::box, 2, 1.4);
     stand(Piece::trolley, 2, 1.3);
@@ -142,9 +142,9 @@ class SceneMaker {
   }
 
   Pose2 somewhere(double clearance) {
-    const Vector2 place = spot(clearance);
-    keep_.push_back(place);
-    return {place.x(), place.y(), random_.uniform(-3.1, 3.1)};
+    const Vector2 position = spot(clearance);
+    keep_.push_back(position);
+    return {position.x(), position.y(), random_.uniform(-3.1, 3.1)};
   }
 
   /// Two to four alike, as far apart as legs or as a barrier's.
@@ -181,7 +181,7 @@ class SceneMaker {
       for (int attempt = 0; attempt < 20 && (goal - start).norm() < 4.0; ++attempt) goal = spot(0.7);
       people.social.walkers.push_back({start.x(), start.y(), goal.x(), goal.y()});
     }
-    for (int i = options_.crowded ? 40 : 12; i > 0; --i) scene.places.push_back(spot(1.0));
+    for (int i = options_.crowded ? 40 : 12; i > 0; --i) scene.positions.push_back(spot(1.0));
   }
 
   SceneOptions options_;
@@ -189,8 +189,8 @@ class SceneMaker {
   std::vector<Vector2> keep_;
 };
 
-/// Drives from place to place where the way is clear of walls, furniture and people. Knows the truth: what is
-/// measured is perception.
+/// Drives from position to position where the way is clear of walls, furniture and people. Knows the truth:
+/// what is measured is perception.
 class Chauffeur {
  public:
   Chauffeur(const Scene& scene, std::uint64_t seed) : scene_(&scene), random_(seed) {}
@@ -199,8 +199,8 @@ class Chauffeur {
     const Pose2 X = world.pose();
     if (!going_ || (goal_ - X.position()).norm() < 0.3 || world.time() > until_) choose(world);
     if (!going_) return {0.0, 0.5};
-    const Vector2 way = goal_ - X.position();
-    const double error = wrap_angle(std::atan2(way.y(), way.x()) - X.theta);
+    const Vector2 to_goal = goal_ - X.position();
+    const double error = wrap_angle(std::atan2(to_goal.y(), to_goal.x()) - X.theta);
     const double omega = std::clamp(2.0 * error, -1.0, 1.0);
     const Vector2 ahead = X.position() + 0.8 * direction(X.theta);
     for (const Person& person : world.people())
@@ -212,7 +212,7 @@ class Chauffeur {
   void choose(const World& world) {
     going_ = false;
     for (int attempt = 0; attempt < 10 && !going_; ++attempt) {
-      goal_ = scene_->places[random_.bits() % scene_->places.size()];
+      goal_ = scene_->positions[random_.bits() % scene_->positions.size()];
       going_ = (goal_ - world.pose().position()).norm() > 1.0 && clear(world);
     }
     until_ = world.time() + Duration::seconds(20.0);

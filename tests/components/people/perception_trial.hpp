@@ -142,7 +142,7 @@ class Trial {
     record_.most_possible = std::max(record_.most_possible, possible);
   }
 
-  /// Counted: within range and view of a laser, the way from it to the middle not barred by walls or
+  /// Counted: within range and view of a laser, the line from it to the middle not barred by walls or
   /// furniture. Unoccluded: at least three beams ended on one of the legs.
   std::vector<TruePerson> truth_in(const Pose2& X_OM, const Pose2& X_MB,
                                    const std::vector<const LaserScan*>& scans) const {
@@ -154,8 +154,8 @@ class Trial {
       const Pose2 X_ML = X_MB * eyes_[eye].X_BL;
       const std::vector<int> hits = hits_on(legs, X_ML, *scans[eye]);
       for (std::size_t i = 0; i < people.size(); ++i) {
-        const Vector2 way = people[i].position - X_ML.position();
-        const double bearing = wrap_angle(std::atan2(way.y(), way.x()) - X_ML.theta);
+        const Vector2 offset = people[i].position - X_ML.position();
+        const double bearing = wrap_angle(std::atan2(offset.y(), offset.x()) - X_ML.theta);
         const bool in_view = std::abs(bearing) < eyes_[eye].options.field_of_view / 2.0;
         const bool is_near = (people[i].position - X_MB.position()).norm() <= kCountedRange;
         if (is_near && in_view && !barred(X_ML.position(), people[i].position)) counted[i] = 1;
@@ -183,8 +183,8 @@ class Trial {
 
   bool barred(const Vector2& from, const Vector2& to) const {
     const double distance = (to - from).norm();
-    const Vector2 way = (to - from) / distance;
-    const auto bars = [&](const auto& shape) { return ray_hit(from, way, shape) < distance; };
+    const Vector2 ahead = (to - from) / distance;
+    const auto bars = [&](const auto& shape) { return ray_hit(from, ahead, shape) < distance; };
     return std::ranges::any_of(world_.scene().segments(), bars) ||
            std::ranges::any_of(world_.scene().discs(), bars);
   }

@@ -27,12 +27,12 @@ struct PredictionScore {
 
 class WalkerFilter {
  public:
-  explicit WalkerFilter(const Vector2& place) {
-    x_ << place.x(), place.y(), 0.0, 0.0;
+  explicit WalkerFilter(const Vector2& position) {
+    x_ << position.x(), position.y(), 0.0, 0.0;
     P_.diagonal() << kNoise * kNoise, kNoise * kNoise, 2.0, 2.0;
   }
 
-  void update(const Vector2& place, double dt) {
+  void update(const Vector2& position, double dt) {
     Eigen::Matrix4d F = Eigen::Matrix4d::Identity();
     F(0, 2) = F(1, 3) = dt;
     Eigen::Matrix4d Q = Eigen::Matrix4d::Zero();
@@ -45,7 +45,7 @@ class WalkerFilter {
     P_ = F * P_ * F.transpose() + Q;
     const Eigen::Matrix2d S = P_.topLeftCorner<2, 2>() + kNoise * kNoise * Eigen::Matrix2d::Identity();
     const Eigen::Matrix<double, 4, 2> K = P_.leftCols<2>() * S.inverse();
-    x_ += K * (place - x_.head<2>());
+    x_ += K * (position - x_.head<2>());
     P_ = (P_ - K * P_.topRows<2>()).eval();
     P_ = 0.5 * (P_ + P_.transpose()).eval();
   }

@@ -32,7 +32,7 @@ std::vector<std::vector<PredictedPosition>> predictions_of(Predictor& predictor,
   return predictions;
 }
 
-// p + v t; (0.01 + 0.04 t^2) I, and q t^3 / 3 more along and across the way, by hand at t = 2 s.
+// p + v t; (0.01 + 0.04 t^2) I, and q t^3 / 3 more along and across the path, by hand at t = 2 s.
 TEST(Prediction, KeepsTheVelocity) {
   PredictionOptions options;
   options.horizon = 2.0;
@@ -50,8 +50,8 @@ TEST(Prediction, KeepsTheVelocity) {
   EXPECT_NEAR(last.covariance(0, 1), 0.0, 1e-12);
 }
 
-// On a circle of 1 rad/s the turn is known after a few windows; it dies out: in the end the heading has
-// turned by omega tau = 0.6 rad, and the last chord points there.
+// On a circle of 1 rad/s the turn rate is known after a few windows; it dies out: in the end the heading has
+// rotated by omega tau = 0.6 rad, and the last chord points there.
 TEST(Prediction, LetsATurnGoOnAndDieOut) {
   PredictionOptions options;
   options.model = PredictionModel::constant_turn_rate;
@@ -74,9 +74,9 @@ TEST(Prediction, LetsATurnGoOnAndDieOut) {
   };
   EXPECT_NEAR(wrap_angle(direction(99) - heading), 0.6, 1e-3);
   EXPECT_NEAR(wrap_angle(direction(10) - heading), 0.6 * (1.0 - std::exp(-1.05 / 0.6)), 2e-3);
-  double way = path[0].position.norm();
-  for (std::size_t k = 1; k < path.size(); ++k) way += (path[k].position - path[k - 1].position).norm();
-  EXPECT_NEAR(way, 10.0, 0.01);  // at 1 m/s
+  double distance = path[0].position.norm();
+  for (std::size_t k = 1; k < path.size(); ++k) distance += (path[k].position - path[k - 1].position).norm();
+  EXPECT_NEAR(distance, 10.0, 0.01);  // at 1 m/s
 }
 
 // Two who would collide pass each other, by the same amount to either side; one who walks along a wall keeps

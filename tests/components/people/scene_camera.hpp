@@ -1,6 +1,6 @@
 // A camera that tells of whole people, as their detectors do: ten messages a second that are 0.1 s late,
-// places that err by 0.1 m and 2 % of the distance, one person in ten missed, somebody who is not there once
-// a minute.
+// positions that err by 0.1 m and 2 % of the distance, one person in ten missed, somebody who is not there
+// once a minute.
 #pragma once
 
 #include <cmath>
@@ -27,12 +27,13 @@ class SceneCamera {
     const Pose2 X_MB = world.pose();
     HeardSet set{now, {}};
     for (const Person& person : world.people()) {
-      const Vector2 way = person.position - X_MB.position();
-      const double bearing = wrap_angle(std::atan2(way.y(), way.x()) - X_MB.theta);
+      const Vector2 offset = person.position - X_MB.position();
+      const double bearing = wrap_angle(std::atan2(offset.y(), offset.x()) - X_MB.theta);
       const bool missed = random_.uniform() < 0.1;
-      if (missed || std::abs(bearing) > kHalfView || way.norm() > kRange || is_walled(world, person.position))
+      if (missed || std::abs(bearing) > kHalfView || offset.norm() > kRange ||
+          is_walled(world, person.position))
         continue;
-      set.people.push_back(told(X_OM, person.position, way.norm()));
+      set.people.push_back(told(X_OM, person.position, offset.norm()));
     }
     if (random_.uniform() < kPeriod.to_seconds() / 60.0) {
       const double distance = random_.uniform(1.0, kRange);
@@ -57,17 +58,17 @@ class SceneCamera {
  private:
   static constexpr Duration kPeriod = Duration::milliseconds(100);
 
-  HeardPerson told(const Pose2& X_OM, const Vector2& place, double distance) {
+  HeardPerson told(const Pose2& X_OM, const Vector2& position, double distance) {
     const double deviation = 0.1 + 0.02 * distance;
     const Vector2 error(random_.normal(0.0, deviation), random_.normal(0.0, deviation));
-    return {.position = X_OM * Vector2(place + error), .reliability = 0.8};
+    return {.position = X_OM * Vector2(position + error), .reliability = 0.8};
   }
 
-  static bool is_walled(const World& world, const Vector2& place) {
+  static bool is_walled(const World& world, const Vector2& position) {
     const Vector2 from = world.pose().position();
-    const double distance = (place - from).norm();
+    const double distance = (position - from).norm();
     for (const Segment& wall : world.scene().segments())
-      if (ray_hit(from, (place - from) / distance, wall) < distance) return true;
+      if (ray_hit(from, (position - from) / distance, wall) < distance) return true;
     return false;
   }
 

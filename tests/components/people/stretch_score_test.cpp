@@ -44,7 +44,7 @@ TEST(LabelledPaths, LeadStraightFromLabelToLabelAndNoFarther) {
   EXPECT_FALSE(paths.at(1.0, 4));
 }
 
-/// Somebody stands at the origin for 4.5 s, labelled every 0.5 s: 10 places.
+/// Somebody stands at the origin for 4.5 s, labelled every 0.5 s: 10 positions.
 class StandingPerson : public testing::Test {
  protected:
   StandingPerson() {

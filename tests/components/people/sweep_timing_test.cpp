@@ -1,4 +1,4 @@
-// A sweep takes its time: beams of a robot that turns, and people who walk meanwhile.
+// A sweep takes its time: beams of a robot that rotates, and people who walk meanwhile.
 #include "components/people/sweep_timing.hpp"
 
 #include <gtest/gtest.h>
@@ -42,8 +42,8 @@ TEST(SweepTiming, AWallIsStraightFromARobotThatTurns) {
     }
     return farthest;
   };
-  // Taken for one instant: the laser is turned by 0.3 rad, so that the wall's end at -72 degrees, 7.6 m
-  // aside, is a quarter of a turn from the middle: 1.9 / 28 = 0.068 rad, and 0.5 / 28 m of way.
+  // Taken for one instant: the laser is rotated by 0.3 rad, so that the wall's end at -72 degrees, 7.6 m
+  // aside, is a quarter of a turn from the middle: 1.9 / 28 = 0.068 rad, and 0.5 / 28 m of travel.
   sweep.X_FL = moving.X_BL;
   EXPECT_NEAR(farthest_off(sweep), 7.6 * 0.068 + 0.018, 0.03);
   sweep.beam_poses = poses;

@@ -14,15 +14,15 @@ namespace bw::people {
 namespace {
 
 /// Along x; `score` of each sighting.
-std::vector<Sighting> leg(const std::vector<double>& places, double score = 0.9) {
+std::vector<Sighting> leg(const std::vector<double>& positions, double score = 0.9) {
   std::vector<Sighting> sightings;
-  for (const double x : places)
+  for (const double x : positions)
     sightings.push_back(sighting(static_cast<std::int64_t>(sightings.size()), {x, 0.0}, score));
   return sightings;
 }
 
 /// Six sightings, 0.79 m: the third step is `leap` [m], the others share the rest.
-std::vector<double> way_with(double leap) {
+std::vector<double> positions_with(double leap) {
   const double step = (0.79 - leap) / 4.0;
   return {0.0, step, 2.0 * step, 2.0 * step + leap, 3.0 * step + leap, 4.0 * step + leap};
 }
@@ -30,14 +30,14 @@ std::vector<double> way_with(double leap) {
 // 6 sightings, 0.79 m straight on. Cut from chair to chair by a step of 0.75 m, it is nobody; a leg does up
 // to 0.35 m. Without that its doubt is 1 - 0.9.
 TEST(Birth, WhatLeapsFromChairToChairIsNobody) {
-  EXPECT_FALSE(birth_of_single(track_of(leg(way_with(0.75))), {}));
-  EXPECT_FALSE(birth_of_single(track_of(leg(way_with(0.36))), {}));
+  EXPECT_FALSE(birth_of_single(track_of(leg(positions_with(0.75))), {}));
+  EXPECT_FALSE(birth_of_single(track_of(leg(positions_with(0.36))), {}));
   for (const double step : {0.158, 0.34}) {
-    const auto birth = birth_of_single(track_of(leg(way_with(step))), {});
+    const auto birth = birth_of_single(track_of(leg(positions_with(step))), {});
     ASSERT_TRUE(birth) << step;
     EXPECT_EQ(birth->kind, BirthKind::walking_single);
     EXPECT_NEAR(birth->doubt, 0.1, 1e-12);
-    EXPECT_NEAR(birth->way, 0.79, 1e-12);
+    EXPECT_NEAR(birth->distance, 0.79, 1e-12);
   }
 }
 
@@ -59,8 +59,8 @@ TEST(Birth, WhatIsSeenNowAndThenIsNobody) {
 
 TEST(Birth, WhatDoesNotWalkLikeALegIsNobody) {
   const auto born = [](const std::vector<Sighting>& seen) { return birth_of_single(track_of(seen), {}); };
-  const auto walked = [](double way) {
-    return std::vector<double>{0.0, 0.2 * way, 0.4 * way, 0.6 * way, 0.8 * way, way};
+  const auto walked = [](double distance) {
+    return std::vector<double>{0.0, 0.2 * distance, 0.4 * distance, 0.6 * distance, 0.8 * distance, distance};
   };
   EXPECT_TRUE(born(leg(walked(0.51))));
   EXPECT_FALSE(born(leg(walked(0.49))));  // 0.5 m are asked
@@ -139,7 +139,7 @@ TEST(Birth, LegsStayUnlessBothGo) {
   EXPECT_FALSE(stay(0.03, 0.03));     // 0.12 m
   EXPECT_TRUE(stay(0.1, 0.0));        // one alone, 0.4 m: their middle 0.2 m
   EXPECT_FALSE(stay(0.1, 0.02));      // 0.24 m, of which each goes more than a quarter
-  EXPECT_TRUE(stay(0.1, 0.1, 0.09));  // beside a straight way by more than 0.08 m
+  EXPECT_TRUE(stay(0.1, 0.1, 0.09));  // beside a straight path by more than 0.08 m
 }
 
 // At any rate of sweeps legs that walk at 1.2 m/s are a pair that walks once their middle has gone 0.2 m and
@@ -147,13 +147,13 @@ TEST(Birth, LegsStayUnlessBothGo) {
 // one.
 TEST(Birth, CountsSecondsNotSweeps) {
   const auto born_after = [](double rate) {
-    const auto place = [](double t, double side) {
+    const auto position = [](double t, double side) {
       return Vector2(1.2 * t + 0.18 * side * std::sin(5.4 * t), 0.12 * side);
     };
     const auto seen = [&](std::int64_t sweep, double side) {
       const double t = static_cast<double>(sweep) / rate;
       return Sighting{
-          .sweep = sweep, .time = t, .position = place(t, side), .variance = 1e-4, .leg_score = 0.9};
+          .sweep = sweep, .time = t, .position = position(t, side), .variance = 1e-4, .leg_score = 0.9};
     };
     ClusterTrack left(seen(0, 1.0));
     ClusterTrack right(seen(0, -1.0));

@@ -1,4 +1,4 @@
-// Two whose ways cross within half a metre, legs hiding legs: who keeps their identity.
+// Two whose paths cross within half a metre, legs hiding legs: who keeps their identity.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -66,11 +66,11 @@ void show(Stage& stage, const Two& two, double t) {
 }
 
 /// Of the nearest reported within 0.3 m; 0: nobody.
-std::uint32_t id_at(const Tracker& tracker, const Vector2& place) {
+std::uint32_t id_at(const Tracker& tracker, const Vector2& position) {
   std::uint32_t id = 0;
   double least = 0.3;
   for (const TrackedPerson& person : tracker.people()) {
-    const double distance = (person.position - place).norm();
+    const double distance = (person.position - position).norm();
     if (distance >= least) continue;
     least = distance;
     id = person.id;

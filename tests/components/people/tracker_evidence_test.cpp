@@ -17,8 +17,8 @@
 namespace bw::people {
 namespace {
 
-constexpr FootShifts::Memory kOfLeg{.gap = 0.5, .turn = 0.1};
-constexpr FootShifts::Memory kOfPair{.gap = 1e9, .turn = 4.0};
+constexpr FootShifts::Memory kOfLeg{.gap = 0.5, .bearing_change = 0.1};
+constexpr FootShifts::Memory kOfPair{.gap = 1e9, .bearing_change = 4.0};
 
 // One side, score 0.9: n ln 9 / (n + 2), but at most 20 are remembered. A score of 0.5 says nothing.
 TEST(Evidence, LooksOfOneSideAreAveraged) {
@@ -61,12 +61,13 @@ TEST(Evidence, WayWalkedCountsAfterASlip) {
 
 /// Log odds after a leg stood at 0 for `before` s, at `shift` m for `after` s, and back again, ten sweeps a
 /// second.
-double foot_shifts_of(double before, double shift, double after, bool whole = true, double turn = 0.0) {
+double foot_shifts_of(double before, double shift, double after, bool whole = true,
+                      double bearing_rate = 0.0) {
   FootShifts foot_shifts;
   double t = 0.0;
   const auto stand = [&](double x, double seconds) {
     for (const double end = t + seconds - 1e-9; t < end; t += 0.1)
-      foot_shifts.add(t, {x, 1.0}, whole, turn * t, kOfLeg);
+      foot_shifts.add(t, {x, 1.0}, whole, bearing_rate * t, kOfLeg);
   };
   stand(0.0, before);
   stand(shift, after);
@@ -92,8 +93,8 @@ TEST(Evidence, WhoStandsShiftsAFoot) {
   EXPECT_EQ(noisy.log_odds(), 0.0);
 }
 
-// The way between two legs is compared with how it was before they were out of view for 10 s and seen from
-// another side; the place of a single leg is not. Stray sightings before and after do not make a time for
+// The path between two legs is compared with how it was before they were out of view for 10 s and seen from
+// another side; the position of a single leg is not. Stray sightings before and after do not make a time for
 // which it stood.
 TEST(Evidence, ThePairThatStoodIsRemembered) {
   const auto shifts = [](const FootShifts::Memory& memory, double shift, int before) {
@@ -130,7 +131,7 @@ TEST(Evidence, FurnitureStandsInPatterns) {
 TEST(Evidence, ConfidenceIsTheLogisticOfTheSum) {
   Existence existence{.prior = Existence::kTwoLegs};
   EXPECT_NEAR(existence.confidence(), 1.0 / (1.0 + std::exp(-Existence::kTwoLegs)), 1e-12);
-  existence.walked.way = 0.35;
+  existence.walked.distance = 0.35;
   existence.foot_shifts = FootShifts::kEach;
   existence.row = RowOfPosts::kRow;
   existence.clutter = -1.0;
@@ -138,15 +139,15 @@ TEST(Evidence, ConfidenceIsTheLogisticOfTheSum) {
   EXPECT_NEAR(existence.log_odds(), Existence::kTwoLegs + 2.0 + 4.0 - 2.0 - 1.0 + Existence::kAlone, 1e-12);
 }
 
-// A way of 0.65 m is worth 5, of 1 m at most 7; where things stood all the time less than a metre is worth
-// nothing.
+// A distance of 0.65 m is worth 5, of 1 m at most 7; where things stood all the time less than a metre is
+// worth nothing.
 TEST(Evidence, AWayWalkedWhereThingsStoodIsNone) {
   Existence existence{.prior = Existence::kTwoLegs};
-  existence.walked.way = 0.65;
+  existence.walked.distance = 0.65;
   EXPECT_NEAR(existence.log_odds(), Existence::kTwoLegs + 5.0, 1e-12);
   existence.in_place = true;
   EXPECT_NEAR(existence.log_odds(), Existence::kTwoLegs, 1e-12);
-  existence.walked.way = Walked::kFree;
+  existence.walked.distance = Walked::kFree;
   EXPECT_NEAR(existence.log_odds(), Existence::kTwoLegs + Walked::kMax, 1e-12);
 }
 
@@ -188,7 +189,7 @@ TEST(Evidence, LooksOfWalkersSayMoreUntilTheyHaveWalked) {
   for (int k = 0; k < 500; ++k) walker.appearance.add(0.9, 0.1);
   const double looks = 20.0 * std::log(9.0) / 22.0;
   EXPECT_NEAR(walker.log_odds(), Existence::kWalker + looks + (looks - 1.0), 1e-4);
-  walker.walked.way = Walked::kFree;
+  walker.walked.distance = Walked::kFree;
   EXPECT_NEAR(walker.log_odds(), Existence::kWalker + looks + Walked::kMax, 1e-4);
   Existence standing{.prior = Existence::kTwoLegs, .appearance = walker.appearance};
   EXPECT_NEAR(standing.log_odds(), Existence::kTwoLegs + looks, 1e-4);
@@ -217,10 +218,10 @@ TEST(Evidence, WhatStoodBeforeIsNotWhoWalkedUpToIt) {
   }
 }
 
-// A beam every half degree: at 3 m they are 0.026 m apart, 5 or 6 pass within 0.08 m of a place. Two sweeps
-// 0.3 s apart that see nothing there show it empty, whatever stands there later; what always stood there
-// shows from 2 s on; what something hides, what is nearer than 0.3 m or farther than 0.04 m / 0.0087 rad =
-// 4.6 m is unknown.
+// A beam every half degree: at 3 m they are 0.026 m apart, 5 or 6 pass within 0.08 m of a position. Two
+// sweeps 0.3 s apart that see nothing there show it empty, whatever stands there later; what always stood
+// there shows from 2 s on; what something hides, what is nearer than 0.3 m or farther than 0.04 m / 0.0087
+// rad = 4.6 m is unknown.
 TEST(Evidence, KnowsWhatWasAtAPlaceBefore) {
   using Past = PastSweeps::Past;
   Stage stage;
@@ -253,7 +254,7 @@ TEST(Evidence, KnowsWhatWasAtAPlaceBefore) {
 }
 
 // Two legs stand where nothing was for a second: somebody has come, and is confirmed although twelve posts
-// about look like legs. If something hid the place until then, they are doubted.
+// about look like legs. If something hid the position until then, they are doubted.
 TEST(Evidence, WhoStandsWhereNothingWasHasCome) {
   for (const bool came : {true, false}) {
     Stage stage;

@@ -59,7 +59,7 @@ TEST(Gait, SwingWidensButLeavesTheMiddle) {
   EXPECT_NEAR(gait.misfit, 0.0, 1e-12);
 }
 
-// Middles (0, 0), (0.1, 0.03), (0.2, 0) at 0, 0.1, 0.2 s: the straight way is y = 0.01 m at (1, 0) m/s, off
+// Middles (0, 0), (0.1, 0.03), (0.2, 0) at 0, 0.1, 0.2 s: the straight path is y = 0.01 m at (1, 0) m/s, off
 // by -0.01, 0.02, -0.01 m: sqrt(0.0006 / 3) = 0.0141 m. It starts at (0, 0.01).
 TEST(Gait, MisfitIsTheMiddlesRootMeanSquare) {
   const auto leg = [](double side) {

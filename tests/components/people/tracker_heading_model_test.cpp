@@ -11,7 +11,7 @@
 namespace bw::people {
 namespace {
 
-constexpr double kForEver = 1e9;  // [s], a turn that does not die out
+constexpr double kForEver = 1e9;  // [s], a turn rate that does not die out
 
 /// Central differences of a function of a vector; their own error is about 1e-9 here.
 template <class Function, class Vector>
@@ -102,7 +102,7 @@ TEST(HeadingModel, TurnsOnACircle) {
   }
 }
 
-// A turn of 1 rad/s that dies out within 0.5 s turns 0.5 rad in all.
+// A turn rate of 1 rad/s that dies out within 0.5 s rotates by 0.5 rad in all.
 TEST(HeadingModel, TurnDiesOut) {
   HeadingState x;
   x << 0.0, 0.0, 0.0, 1.0, 1.0;
@@ -111,7 +111,7 @@ TEST(HeadingModel, TurnDiesOut) {
   EXPECT_NEAR(x[4], 0.0, 1e-12);
 }
 
-// While the way is straight the model is linear: the noise of 0.4 s is that of 400 steps of 1 ms, each
+// While the path is straight the model is linear: the noise of 0.4 s is that of 400 steps of 1 ms, each
 // carried on to the end. This holds for the integrals only if every power of dt and every factor is right.
 TEST(HeadingModel, NoiseOfManyStepsIsThatOfOne) {
   const HeadingNoise noise{0.5, 0.8, 1.3};

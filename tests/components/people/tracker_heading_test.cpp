@@ -18,9 +18,9 @@ constexpr double kNoise = 0.03;
 
 const Eigen::Matrix2d kR = kNoise * kNoise * Eigen::Matrix2d::Identity();
 
-SeenPlace seen(const Vector2& p) { return {p, kR}; }
+SeenPosition seen(const Vector2& p) { return {p, kR}; }
 
-SeenPlace noisy(const Vector2& p, Random& random) {
+SeenPosition noisy(const Vector2& p, Random& random) {
   const double x = random.normal(0.0, kNoise);
   return seen(p + Vector2(x, random.normal(0.0, kNoise)));
 }
@@ -39,8 +39,8 @@ double nees(const HeadingFilter& filter, const Vector2& position, const Vector2&
   return error.dot(filter.covariance().ldlt().solve(error));
 }
 
-// From (1, 2) to (1.3, 2.4) within 0.5 s: velocity (0.6, 0.8) m/s. The last place is as unsure as it was
-// seen; the velocity by both places over 0.5 s, and by 0.8^2 dt / 3 for the acceleration between.
+// From (1, 2) to (1.3, 2.4) within 0.5 s: velocity (0.6, 0.8) m/s. The last position is as unsure as it was
+// seen; the velocity by both positions over 0.5 s, and by 0.8^2 dt / 3 for the acceleration between.
 TEST(HeadingFilter, StartsFromTwoPoints) {
   const Eigen::Matrix2d R1 = (Eigen::Matrix2d() << 4e-4, 1e-4, 1e-4, 9e-4).finished();
   const Eigen::Matrix2d R2 = (Eigen::Matrix2d() << 2e-4, -1e-4, -1e-4, 3e-4).finished();
@@ -55,17 +55,17 @@ TEST(HeadingFilter, StartsFromTwoPoints) {
   EXPECT_LE((filter.covariance() - expected).norm(), 1e-12);
   EXPECT_FALSE(filter.walks());
 
-  // With a heading: the same place and velocity, as unsure of the place.
+  // With a heading: the same position and velocity, as unsure of the position.
   const HeadingFilter walking({{1.0, 2.0}, R1}, {{1.3, 2.4}, R2}, 0.5, options);
   EXPECT_TRUE(walking.walks());
   EXPECT_LE((walking.position() - filter.position()).norm(), 1e-12);
   EXPECT_LE((walking.velocity() - filter.velocity()).norm(), 1e-12);
-  const Eigen::Matrix2d of_place = walking.covariance().topLeftCorner<2, 2>();
-  EXPECT_LE((of_place - R2).norm(), 1e-12);
+  const Eigen::Matrix2d of_position = walking.covariance().topLeftCorner<2, 2>();
+  EXPECT_LE((of_position - R2).norm(), 1e-12);
 }
 
-// Speed 0.01 +- 0.2 m/s, heading +- 0.6 rad, across the way: (0.01 * 0.6)^2 = 3.6e-5 by the derivative; truly
-// (0.01^2 + 0.2^2) (1 - exp(-2 * 0.36)) / 2.
+// Speed 0.01 +- 0.2 m/s, heading +- 0.6 rad, across the path: (0.01 * 0.6)^2 = 3.6e-5 by the derivative;
+// truly (0.01^2 + 0.2^2) (1 - exp(-2 * 0.36)) / 2.
 TEST(HeadingFilter, WhoStopsIsUnsureInEveryDirection) {
   HeadingOptions options = plain();
   options.walking_speed = 0.001;
@@ -90,7 +90,7 @@ struct WhiteWalker {
       x.head<2>() += x[3] * kFine * direction(x[2]);
       x[2] += x[4] * kFine + noise.heading * root * random.normal();
       x[3] += noise.acceleration * root * random.normal();
-      x[4] += -x[4] / memory * kFine + noise.turn * root * random.normal();
+      x[4] += -x[4] / memory * kFine + noise.turn_rate * root * random.normal();
     }
   }
   Vector2 velocity() const { return x[3] * direction(x[2]); }
@@ -104,13 +104,13 @@ double mean_nees(const HeadingOptions& options, double speed) {
     Random random(seed);
     WhiteWalker truth{
         HeadingState::Zero(),
-        {options.heading_noise, options.acceleration, options.turn_rate ? options.turn_noise : 0.0},
-        options.turn_memory};
+        {options.heading_noise, options.acceleration, options.turn_rate ? options.turn_rate_noise : 0.0},
+        options.turn_rate_memory};
     truth.x[2] = random.uniform(-3.1, 3.1);
     truth.x[3] = speed;
     if (options.turn_rate)
-      truth.x[4] = random.normal(0.0, options.turn_noise * std::sqrt(options.turn_memory / 2.0));
-    const SeenPlace first = noisy(truth.x.head<2>(), random);
+      truth.x[4] = random.normal(0.0, options.turn_rate_noise * std::sqrt(options.turn_rate_memory / 2.0));
+    const SeenPosition first = noisy(truth.x.head<2>(), random);
     truth.step(kPeriod, random);
     HeadingFilter filter(first, noisy(truth.x.head<2>(), random), kPeriod, options);
     for (int k = 1; k <= 30; ++k) {
@@ -135,8 +135,8 @@ TEST(HeadingFilter, CovarianceTellsTheTruth) {
   EXPECT_LE(four, 4.42);
   options.turn_rate = true;
   options.heading_noise = 0.2;
-  options.turn_noise = 1.0;
-  options.turn_memory = 0.8;
+  options.turn_rate_noise = 1.0;
+  options.turn_rate_memory = 0.8;
   const double five = mean_nees(options, 1.5);
   EXPECT_GE(five, 3.58);
   EXPECT_LE(five, 4.42);
@@ -159,7 +159,7 @@ TEST(HeadingFilter, CovarianceTellsTheTruthOfWhoStands) {
         truth.tail<2>() += 0.3 * std::sqrt(1e-3) * Vector2(x, random.normal());
       }
     };
-    const SeenPlace first = noisy(truth.head<2>(), random);
+    const SeenPosition first = noisy(truth.head<2>(), random);
     step();
     HeadingFilter filter(first, noisy(truth.head<2>(), random), kPeriod, options);
     for (int k = 1; k <= 30; ++k) {
@@ -187,7 +187,7 @@ TEST(HeadingFilter, StandsStillWithTheCovarianceItHad) {
   const Eigen::Vector4d m(1.0, 1.0, 0.18, 0.24);
   HeadingFilter stops(m, C, options);
   HeadingFilter walks(m, C, lower);
-  const SeenPlace behind = seen({0.88, 0.9});
+  const SeenPosition behind = seen({0.88, 0.9});
   stops.correct(behind, options);
   walks.correct(behind, lower);
   ASSERT_FALSE(stops.walks());
@@ -210,7 +210,7 @@ TEST(HeadingFilter, WalksOffWithTheCovarianceItHad) {
   HeadingFilter walks(m, C, options);
   HeadingFilter stands(m, C, never);
   ASSERT_FALSE(walks.walks());
-  const SeenPlace ahead = seen({0.14, 0.09});
+  const SeenPosition ahead = seen({0.14, 0.09});
   walks.correct(ahead, options);
   stands.correct(ahead, never);
   ASSERT_TRUE(walks.walks());
@@ -219,25 +219,25 @@ TEST(HeadingFilter, WalksOffWithTheCovarianceItHad) {
   EXPECT_LE((walks.velocity() - stands.velocity()).norm(), 1e-12);
   const Eigen::Matrix4d C_walks = walks.covariance();
   const Eigen::Matrix4d C_stands = stands.covariance();
-  const Eigen::Matrix2d of_place = (C_walks - C_stands).topLeftCorner<2, 2>();
-  EXPECT_LE(of_place.norm(), 1e-12);
+  const Eigen::Matrix2d of_position = (C_walks - C_stands).topLeftCorner<2, 2>();
+  EXPECT_LE(of_position.norm(), 1e-12);
   EXPECT_LE((C_walks - C_stands).norm(), 0.1 * C_stands.norm());
 }
 
-HeadingFilter follow(const std::function<SeenPlace(double)>& place, double from, double to,
+HeadingFilter follow(const std::function<SeenPosition(double)>& position, double from, double to,
                      const HeadingOptions& options) {
-  HeadingFilter filter(place(from), place(from + kPeriod), kPeriod, options);
+  HeadingFilter filter(position(from), position(from + kPeriod), kPeriod, options);
   for (double t = from + 2.0 * kPeriod; t < to + 1e-9; t += kPeriod) {
     filter.predict(kPeriod, options);
-    filter.correct(place(t), options);
+    filter.correct(position(t), options);
   }
   return filter;
 }
 
 TEST(HeadingFilter, FollowsWhoWalksStraight) {
   const Vector2 velocity(-0.9, 0.7);
-  const auto place = [&](double t) { return seen(t * velocity); };
-  HeadingFilter filter = follow(place, 0.0, 3.0, plain());
+  const auto position = [&](double t) { return seen(t * velocity); };
+  HeadingFilter filter = follow(position, 0.0, 3.0, plain());
   EXPECT_LE((filter.position() - 3.0 * velocity).norm(), 1e-9);
   EXPECT_LE((filter.velocity() - velocity).norm(), 1e-9);
   // 1.6 s ahead, by one step or by many.
@@ -251,13 +251,13 @@ TEST(HeadingFilter, FollowsWhoWalksStraight) {
 // A circle of 1.5 m at 1.2 m/s, 0.8 rad/s, seen without errors: with the turn rate as a state the model is
 // right and nothing of the error stays; with four states the heading lags.
 TEST(HeadingFilter, FollowsACircle) {
-  const auto place = [](double t) { return seen(1.5 * direction(0.8 * t)); };
+  const auto position = [](double t) { return seen(1.5 * direction(0.8 * t)); };
   HeadingOptions options = plain();
   const Vector2 velocity = 1.2 * direction(0.8 * 12.0 + std::numbers::pi / 2.0);
-  const double four = (follow(place, 0.0, 12.0, options).velocity() - velocity).norm();
+  const double four = (follow(position, 0.0, 12.0, options).velocity() - velocity).norm();
   options.turn_rate = true;
-  options.turn_memory = 1000.0;
-  const HeadingFilter filter = follow(place, 0.0, 12.0, options);
+  options.turn_rate_memory = 1000.0;
+  const HeadingFilter filter = follow(position, 0.0, 12.0, options);
   const double five = (filter.velocity() - velocity).norm();
   EXPECT_NEAR(filter.turn_rate(), 0.8, 0.01);
   EXPECT_LE(five, 0.01);
@@ -283,12 +283,13 @@ TEST(HeadingFilter, StopsWithWhoStops) {
       ASSERT_EQ(filter.covariance().llt().info(), Eigen::Success);
     }
     EXPECT_FALSE(filter.walks());
-    EXPECT_LE(filter.velocity().norm(), 0.01);  // nothing but 4 s of exact places at a stand
+    EXPECT_LE(filter.velocity().norm(), 0.01);  // nothing but 4 s of exact positions at a stand
   }
 }
 
-// Turning round on the spot is the worst for a heading: in the sweep after it the velocity is wrong by 2.4
-// m/s, with no sd below 0.1 m/s: 24^2. A covariance singular across the way of who stops would say thousands.
+// Turning round in place is the worst for a heading: in the sweep after it the velocity is wrong by 2.4
+// m/s, with no sd below 0.1 m/s: 24^2. A covariance singular across the path of who stops would say
+// thousands.
 TEST(HeadingFilter, IsNeverSureOfTheWrongVelocity) {
   const HeadingOptions options = plain();
   double worst = 0.0;
@@ -296,14 +297,14 @@ TEST(HeadingFilter, IsNeverSureOfTheWrongVelocity) {
     Random random(seed);
     const double away = random.uniform(-3.1, 3.1);
     const auto velocity = [&](double t) { return Vector2(1.2 * direction(t < 2.0 ? 0.0 : away)); };
-    Vector2 place(0.0, 0.0);
-    const SeenPlace first = noisy(place, random);
-    place += kPeriod * velocity(0.0);
-    HeadingFilter filter(first, noisy(place, random), kPeriod, options);
+    Vector2 position(0.0, 0.0);
+    const SeenPosition first = noisy(position, random);
+    position += kPeriod * velocity(0.0);
+    HeadingFilter filter(first, noisy(position, random), kPeriod, options);
     for (int k = 2; k <= 60; ++k) {
-      place += kPeriod * velocity((k - 1) * kPeriod);
+      position += kPeriod * velocity((k - 1) * kPeriod);
       filter.predict(kPeriod, options);
-      filter.correct(noisy(place, random), options);
+      filter.correct(noisy(position, random), options);
       const Vector2 error = filter.velocity() - velocity((k - 0.5) * kPeriod);
       const Eigen::Matrix2d P = filter.covariance().bottomRightCorner<2, 2>();
       worst = std::max(worst, error.dot(P.ldlt().solve(error)));
@@ -312,7 +313,7 @@ TEST(HeadingFilter, IsNeverSureOfTheWrongVelocity) {
   EXPECT_LE(worst, 576.0);
 }
 
-// Turned by any angle, the same walk gives the same result turned: across the cut at pi, too.
+// Rotated by any angle, the same walk gives the same result rotated: across the cut at pi, too.
 TEST(HeadingFilter, NoHeadingIsSpecial) {
   HeadingOptions options = plain();
   for (const bool turn_rate : {false, true}) {
@@ -320,20 +321,20 @@ TEST(HeadingFilter, NoHeadingIsSpecial) {
     const auto walk = [&](double angle) {
       Random random(5);
       const Eigen::Matrix2d R = Eigen::Rotation2Dd(angle).toRotationMatrix();
-      const auto place = [&](double t) {
+      const auto position = [&](double t) {
         const Vector2 wave(1.0 * t, 0.5 * std::sin(2.0 * t));
         const double x = random.normal(0.0, kNoise);
         return seen(R * (wave + Vector2(x, random.normal(0.0, kNoise))));
       };
-      return follow(place, 0.0, 6.0, options);
+      return follow(position, 0.0, 6.0, options);
     };
     const HeadingFilter straight = walk(0.0);
     for (const double angle : {0.5, 1.7, 2.9, 3.1, 3.14159, -3.0, -1.0}) {
       const Eigen::Matrix2d R = Eigen::Rotation2Dd(angle).toRotationMatrix();
-      const HeadingFilter turned = walk(angle);
-      EXPECT_LE((turned.velocity() - R * straight.velocity()).norm(), 1e-9);
-      EXPECT_LE((turned.position() - R * straight.position()).norm(), 1e-9);
-      EXPECT_NEAR(turned.covariance().trace(), straight.covariance().trace(), 1e-9);
+      const HeadingFilter rotated = walk(angle);
+      EXPECT_LE((rotated.velocity() - R * straight.velocity()).norm(), 1e-9);
+      EXPECT_LE((rotated.position() - R * straight.position()).norm(), 1e-9);
+      EXPECT_NEAR(rotated.covariance().trace(), straight.covariance().trace(), 1e-9);
     }
   }
 }

@@ -12,9 +12,9 @@
 namespace bw::people {
 namespace {
 
-Detection at(const Vector2& place, double variance, double leg_score = 0.9, double body_score = 0.0) {
+Detection at(const Vector2& position, double variance, double leg_score = 0.9, double body_score = 0.0) {
   Detection d;
-  d.position = place;
+  d.position = position;
   d.covariance = variance * Eigen::Matrix2d::Identity();
   d.width = 0.12;
   d.points = 8;
@@ -41,8 +41,8 @@ TEST(SeenMiddle, OfTwoLegsIsHalfWay) {
   EXPECT_LE((middle->covariance - 7e-4 * Eigen::Matrix2d::Identity()).norm(), 1e-12);
 }
 
-// Either leg: its place less the swing of +-(0.2, 0.1); the variance of the swing is 0.001 / 2 when both legs
-// have just been seen with 0.001 each.
+// Either leg: its position less the swing of +-(0.2, 0.1); the variance of the swing is 0.001 / 2 when both
+// legs have just been seen with 0.001 each.
 TEST(SeenMiddle, OfOneLegIsASwingAway) {
   const Detection first = at({1.3, 0.2}, 4e-4);
   const auto of_first = seen_middle({&first, nullptr}, kWalker, exact());

@@ -1,4 +1,4 @@
-// Whose leg is whose, on legs whose way is known.
+// Whose leg is whose, on legs whose path is known.
 #include <array>
 #include <cmath>
 
@@ -13,8 +13,8 @@ namespace {
 constexpr std::int64_t kSweep = 15;
 using TrackedLegs = std::array<std::optional<ClusterTrack>, 2>;
 
-PersonTrack person_at(const Vector2& place, const Vector2& velocity, const TrackedLegs& legs) {
-  return {.walker = Walker(place + Vector2(0.1, 0.0), place - Vector2(0.1, 0.0), velocity, 1e-4, 0.01),
+PersonTrack person_at(const Vector2& position, const Vector2& velocity, const TrackedLegs& legs) {
+  return {.walker = Walker(position + Vector2(0.1, 0.0), position - Vector2(0.1, 0.0), velocity, 1e-4, 0.01),
           .legs = legs};
 }
 
@@ -130,7 +130,7 @@ TEST(LegReassociation, AnUnrelatedClusterBecomesTheOtherLegOfTheOneLegged) {
   const Vector2 far(3.0, 3.0);
   struct Case {
     const char* what;
-    double place;
+    double position;
     double middle;
     double score;
     std::int64_t seen;
@@ -147,13 +147,13 @@ TEST(LegReassociation, AnUnrelatedClusterBecomesTheOtherLegOfTheOneLegged) {
     const PersonTrack person =
         person_at({c.middle, 0.0}, {0.0, 0.0}, {standing({0.0, 0.0}, kSweep), std::nullopt});
     const std::vector<ClusterTrack> clusters{standing(far, kSweep),
-                                             standing({c.place, 0.0}, c.seen, c.score)};
+                                             standing({c.position, 0.0}, c.seen, c.score)};
     const auto pairs = reassociate_legs({&person}, clusters, kSweep, {});
     ASSERT_EQ(pairs.has_value(), c.taken) << c.what;
     if (!pairs) continue;
     EXPECT_EQ(pairs->taken, std::vector<int>{1}) << c.what;
     EXPECT_TRUE(pairs->left.empty()) << c.what;
-    EXPECT_NEAR((pairs->legs[0][0].last().position - pairs->legs[0][1].last().position).norm(), c.place,
+    EXPECT_NEAR((pairs->legs[0][0].last().position - pairs->legs[0][1].last().position).norm(), c.position,
                 1e-12);
   }
 }

@@ -17,9 +17,9 @@ PersonTrack somebody(double variance, int missed) {
   return {.walker = Walker(kFirst, kSecond, {0.0, 0.0}, variance, 1.0), .unseen = {missed, 0}};
 }
 
-Detection detection(const Vector2& place, double score = 0.9) {
+Detection detection(const Vector2& position, double score = 0.9) {
   Detection d;
-  d.position = place;
+  d.position = position;
   d.covariance = 1e-4 * Eigen::Matrix2d::Identity();
   d.leg_score = score;
   return d;

@@ -11,9 +11,9 @@ namespace {
 void see_wall(Stage& stage, double wall) {
   DetectionSet& set = stage.set();
   for (std::size_t i = 0; i < set.free_ranges.size(); ++i) {
-    const Vector2 way = direction(set.angle_min + static_cast<double>(i) * set.angle_increment);
-    if (way.x() <= 0.0 || std::abs(way.y() / way.x() * wall) > 3.0) continue;
-    set.free_ranges[i] = std::min(set.free_ranges[i], static_cast<float>(wall / way.x()));
+    const Vector2 along = direction(set.angle_min + static_cast<double>(i) * set.angle_increment);
+    if (along.x() <= 0.0 || std::abs(along.y() / along.x() * wall) > 3.0) continue;
+    set.free_ranges[i] = std::min(set.free_ranges[i], static_cast<float>(wall / along.x()));
   }
 }
 
@@ -79,7 +79,7 @@ TEST(OcclusionMemory, NotBeyondAWall) {
   const SeenWalls walls = walls_after(stage, 1.1);
   stage.hide({4.0, 0.0}, 8.0, 0.5);  // all of the room is hidden now
   HiddenOptions options;
-  options.place_kernel = 0.1;
+  options.position_kernel = 0.1;
   Random random(3);
   OcclusionMemory where({3.0, 0.0}, {1.0, 0.0}, random, options);
   const auto before = where.moments();

@@ -8,16 +8,16 @@
 namespace bw::people {
 namespace {
 
-/// Who was seen last at `place`, and is hidden since this moment.
-PersonTrack hidden_at(std::uint32_t id, const Vector2& place, const Vector2& velocity = {0.0, 0.0}) {
+/// Who was seen last at `position`, and is hidden since this moment.
+PersonTrack hidden_at(std::uint32_t id, const Vector2& position, const Vector2& velocity = {0.0, 0.0}) {
   Random random(id);
-  PersonTrack person{.id = id, .walker = Walker(place, place, velocity, 1e-4, 1.0)};
-  person.hidden.emplace(place, velocity, random, HiddenOptions{});
+  PersonTrack person{.id = id, .walker = Walker(position, position, velocity, 1e-4, 1.0)};
+  person.hidden.emplace(position, velocity, random, HiddenOptions{});
   return person;
 }
 
-PersonTrack seen_at(std::uint32_t id, const Vector2& place) {
-  return {.id = id, .walker = Walker(place, place, {0.0, 0.0}, 1e-4, 1.0)};
+PersonTrack seen_at(std::uint32_t id, const Vector2& position) {
+  return {.id = id, .walker = Walker(position, position, {0.0, 0.0}, 1e-4, 1.0)};
 }
 
 std::vector<std::uint32_t> ids(const std::vector<PersonTrack>& people) {
@@ -42,14 +42,15 @@ TEST(Reappearance, TheMostLikelyIsTaken) {
   EXPECT_EQ(ids(lost), std::vector<std::uint32_t>{5});
 }
 
-// Of two at the same place: who was going that way. Nothing known of the velocity: either.
+// Of two at the same position: who was going that way. Nothing known of the velocity: either.
 TEST(Reappearance, TheWayTheyGoTells) {
   std::vector<PersonTrack> people;
   const std::vector<PersonTrack> two{hidden_at(3, {0.1, 0.0}, {1.0, 0.0}),
                                      hidden_at(4, {0.1, 0.0}, {-1.0, 0.0})};
-  for (const double way : {1.0, -1.0}) {
+  for (const double sense : {1.0, -1.0}) {
     std::vector<PersonTrack> lost = two;
-    EXPECT_EQ(id_of(take_returned(people, lost, kFirst, Vector2(way, 0.0), 2.0, {})), way > 0.0 ? 3U : 4U);
+    EXPECT_EQ(id_of(take_returned(people, lost, kFirst, Vector2(sense, 0.0), 2.0, {})),
+              sense > 0.0 ? 3U : 4U);
   }
   std::vector<PersonTrack> lost = two;
   EXPECT_NE(id_of(take_returned(people, lost, kFirst, std::nullopt, 2.0, {})), 0U);
@@ -98,7 +99,7 @@ TEST(Tracker, WhoTurnsRoundBehindAPillarKeepsTheirId) {
   EXPECT_NEAR(tracker.people()[0].velocity.y(), -1.0, 0.2);
 }
 
-// Last seen at 1.4 s, let go 1 s later. Who walks up at the same place 5 s after is the same, 25 s after
+// Last seen at 1.4 s, let go 1 s later. Who walks up at the same position 5 s after is the same, 25 s after
 // (more than 20 s) somebody new.
 TEST(Tracker, WhoComesBackLateIsNew) {
   for (const int sweeps : {50, 250}) {

@@ -97,8 +97,8 @@ TEST(TrackerSensors, SweepsOutOfOrderAreLeftOut) {
   EXPECT_EQ(lasers.tracker.cluster_count(), 0U);
 }
 
-HeardSet told(double t, const Vector2& place, double reliability) {
-  return {Time::seconds(t), {{.position = place, .reliability = reliability}}};
+HeardSet told(double t, const Vector2& position, double reliability) {
+  return {Time::seconds(t), {{.position = position, .reliability = reliability}}};
 }
 
 // b1 = trust r, b2 = 1 - (1 - b1 exp(-dt / memory)) (1 - trust r), ... : confirmed by reliability and
@@ -166,7 +166,7 @@ TEST(TrackerSensors, CameraAndLaserDoNotDouble) {
 }
 
 // Legs that the laser takes for furniture (score 0.35): nobody. A camera tells of somebody there, 0.15 m
-// beside: a person, with the laser's place, after two messages.
+// beside: a person, with the laser's position, after two messages.
 TEST(TrackerSensors, ACameraMakesAPersonOfWhatOnlyStands) {
   Stage stage;
   Tracker tracker({});

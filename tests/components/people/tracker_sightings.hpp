@@ -1,4 +1,4 @@
-// Made-up clusters for tests of the tracker: ten sweeps a second, places without noise.
+// Made-up clusters for tests of the tracker: ten sweeps a second, positions without noise.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,10 @@ namespace bw::people {
 
 constexpr double kSweepTime = 0.1;  // [s]
 
-inline Sighting sighting(std::int64_t sweep, const Vector2& place, double leg_score = 0.9) {
+inline Sighting sighting(std::int64_t sweep, const Vector2& position, double leg_score = 0.9) {
   return {.sweep = sweep,
           .time = kSweepTime * static_cast<double>(sweep),
-          .position = place,
+          .position = position,
           .variance = 1e-4,
           .leg_score = leg_score};
 }
@@ -27,18 +27,18 @@ inline ClusterTrack track_of(const std::vector<Sighting>& sightings) {
   return track;
 }
 
-/// Seen in sweeps `from` to `to` at place(time).
-template <class Place>
-ClusterTrack track_of(std::int64_t from, std::int64_t to, const Place& place, double leg_score = 0.9) {
+/// Seen in sweeps `from` to `to` at position(time).
+template <class Position>
+ClusterTrack track_of(std::int64_t from, std::int64_t to, const Position& position, double leg_score = 0.9) {
   std::vector<Sighting> sightings;
   for (std::int64_t sweep = from; sweep <= to; ++sweep)
-    sightings.push_back(sighting(sweep, place(kSweepTime * static_cast<double>(sweep)), leg_score));
+    sightings.push_back(sighting(sweep, position(kSweepTime * static_cast<double>(sweep)), leg_score));
   return track_of(sightings);
 }
 
-inline ClusterTrack standing(const Vector2& place, std::int64_t to, double leg_score = 0.9) {
+inline ClusterTrack standing(const Vector2& position, std::int64_t to, double leg_score = 0.9) {
   return track_of(
-      to - 5, to, [&](double) { return place; }, leg_score);
+      to - 5, to, [&](double) { return position; }, leg_score);
 }
 
 }  // namespace bw::people

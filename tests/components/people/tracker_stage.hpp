@@ -26,23 +26,23 @@ class Stage {
     set_.detections.clear();
     set_.free_ranges.assign(720, 10.0F);
   }
-  void add(const Vector2& place, double leg_score, double body_score = 0.0) {
+  void add(const Vector2& position, double leg_score, double body_score = 0.0) {
     Detection d;
-    d.position = place + Vector2(random_.normal(0.0, 0.01), random_.normal(0.0, 0.01));
+    d.position = position + Vector2(random_.normal(0.0, 0.01), random_.normal(0.0, 0.01));
     d.covariance = 1e-4 * Eigen::Matrix2d::Identity();
     d.width = 0.12;
     d.points = 8;
     d.leg_score = leg_score;
     d.body_score = body_score;
     set_.detections.push_back(d);
-    hide(place, 0.1, place.norm());
+    hide(position, 0.1, position.norm());
   }
-  /// Beams within `half_width` [m] of the direction of `place` end at `range`.
-  void hide(const Vector2& place, double half_width, double range) {
+  /// Beams within `half_width` [m] of the direction of `position` end at `range`.
+  void hide(const Vector2& position, double half_width, double range) {
     for (int i = 0; i < 720; ++i) {
       const double angle = set_.angle_min + i * set_.angle_increment;
-      const double off = wrap_angle(angle - std::atan2(place.y(), place.x()));
-      if (std::abs(off) * place.norm() > half_width) continue;
+      const double off = wrap_angle(angle - std::atan2(position.y(), position.x()));
+      if (std::abs(off) * position.norm() > half_width) continue;
       float& beam = set_.free_ranges[static_cast<std::size_t>(i)];
       beam = std::min(beam, static_cast<float>(range));
     }

@@ -15,7 +15,7 @@
 namespace bw::people {
 namespace {
 
-// 1.2 m/s: 0.2 m of way and 3 sightings of both legs are there at the third sweep; asked: 0.5 s.
+// 1.2 m/s: 0.2 m of travel and 3 sightings of both legs are there at the third sweep; asked: 0.5 s.
 TEST(Tracker, ConfirmsAWalkerWithinHalfASecond) {
   Stage stage;
   Tracker tracker({});
@@ -37,9 +37,10 @@ TEST(Tracker, ConfirmsAWalkerWithinHalfASecond) {
 // without furniture for 2 s only; among four who walk 2 ln 5 - 3 = 0.2; among three posts, alone, at least a
 // third of -3 stays. Told of after 0.5 s in each, and not taken for furniture.
 TEST(Tracker, WhoStandsIsConfirmedWherePeopleAre) {
-  enum class Place { bare, furnished, shared, busy };
-  for (const Place place : {Place::bare, Place::furnished, Place::shared, Place::busy}) {
-    const int lanes = place == Place::busy ? 4 : place == Place::shared ? 1 : 0;
+  enum class Surroundings { bare, furnished, shared, busy };
+  for (const Surroundings surroundings :
+       {Surroundings::bare, Surroundings::furnished, Surroundings::shared, Surroundings::busy}) {
+    const int lanes = surroundings == Surroundings::busy ? 4 : surroundings == Surroundings::shared ? 1 : 0;
     Stage stage;
     Tracker tracker({});
     const auto standing = [&] {
@@ -49,7 +50,8 @@ TEST(Tracker, WhoStandsIsConfirmedWherePeopleAre) {
     for (int k = 0; k <= 25; ++k) {
       stage.begin(0.1 * k);
       stage.walker(0.0, 0.0, 0.0);
-      for (int post = 2; post < 5 && place == Place::furnished; ++post) stage.add({-1.0 * post, 2.0}, 0.9);
+      for (int post = 2; post < 5 && surroundings == Surroundings::furnished; ++post)
+        stage.add({-1.0 * post, 2.0}, 0.9);
       for (int lane = 2; lane < 2 + lanes; ++lane) {
         const double swing = 0.14 * std::sin(2.0 * std::numbers::pi * 0.1 * k / 1.4);
         stage.add({-lane + 0.12, 0.1 * k - 1.0 + swing}, 0.9);
@@ -57,7 +59,7 @@ TEST(Tracker, WhoStandsIsConfirmedWherePeopleAre) {
       }
       tracker.update(stage.set());
       if (k == 18) {
-        EXPECT_EQ(standing()->confidence >= kConfirmed, place == Place::busy);
+        EXPECT_EQ(standing()->confidence >= kConfirmed, surroundings == Surroundings::busy);
       }
       if (k != 5) continue;
       ASSERT_NE(standing(), tracker.people().end());

@@ -18,7 +18,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// Five seconds along x of map at 1 m/s. The odometry's frame lies 10 m off and turned by 90 degrees; a
+/// Five seconds along x of map at 1 m/s. The odometry's frame lies 10 m off and rotated by 90 degrees; a
 /// person of 0.3 m stands at (2, 1) in map, and the localization believes to be 0.1 m to the left.
 class RecordedDrive : public testing::Test {
  protected:
@@ -134,7 +134,7 @@ TEST_F(RecordedDrive, ByTheTruth) {
   EXPECT_NEAR(score.drives[0].pose_errors.rms_position(), 0.1, 1e-9);
 }
 
-// Somebody stands 0.5 m beside the way at x = 2: touched from x = 2 - sqrt(0.6^2 - 0.5^2) = 1.67 on, the
+// Somebody stands 0.5 m beside the path at x = 2: touched from x = 2 - sqrt(0.6^2 - 0.5^2) = 1.67 on, the
 // first of ten looks a second at 1.7.
 TEST_F(RecordedDrive, TellsWhoHitWhomAndJudgesByTheRobotsLimits) {
   someone_ = Vector2(2.0, 0.5);
@@ -260,7 +260,7 @@ TEST_F(RecordedDrive, AListWhoseBeginningIsMissingIsNotKnown) {
   expect_unknown(score(), "the robot claims an earlier goal, and nothing tells where it was then");
 }
 
-// Without a truth, and without an odometry in map: a place in odom says nothing of a goal in map.
+// Without a truth, and without an odometry in map: a position in odom says nothing of a goal in map.
 TEST_F(RecordedDrive, AnOdometryInAnotherFrameDoesNotJudgeAClaim) {
   const std::size_t odom = topic<nav_msgs::msg::Odometry>("/odom");
   const std::size_t status = topic<bandwagon_msgs::msg::NavigationStatus>("/navigation_status");

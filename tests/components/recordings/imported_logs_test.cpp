@@ -66,7 +66,7 @@ TEST_F(ImportedLogs, HuskyIsReadAsWritten) {
   EXPECT_EQ(*drive.imu[0].turn_rate, 0.03);
   EXPECT_EQ(drive.imu[0].heading_variance, 0.0);
   ASSERT_EQ(drive.fixes.size(), 1U);  // status -1 is no fix
-  EXPECT_EQ(drive.fixes[0].place.longitude, -71.25);
+  EXPECT_EQ(drive.fixes[0].position.longitude, -71.25);
   EXPECT_EQ(drive.fixes[0].variance, Eigen::Vector3d(0.81, 0.64, 3.0));
   EXPECT_EQ(drive.datum.latitude, 42.5);
   EXPECT_EQ(drive.wheel_separation, 0.5708);
@@ -176,8 +176,8 @@ TEST_F(ImportedLogs, LaserKeepsBeamsWithoutReturnAndRefusesTheRest) {
   EXPECT_THAT(complaint("laser"), HasSubstr("scans.csv:2: column 2 (r0) = '-1': must be between 0 and .inf"));
 }
 
-// Figures of the logs' own descriptions: counts, rates, and the way that the vendor's odometry and the sum of
-// its twists agree on.
+// Figures of the logs' own descriptions: counts, rates, and the distance that the vendor's odometry and the
+// sum of its twists agree on.
 TEST(RecordedLogs, AreReadWhole) {
   const char* shared = std::getenv("BANDWAGON_SHARED");
   if (shared == nullptr) GTEST_SKIP() << "BANDWAGON_SHARED names no folder of recorded data";
@@ -201,7 +201,7 @@ TEST(RecordedLogs, AreReadWhole) {
   EXPECT_EQ(labyrinth.odometry.size(), 233U);
   EXPECT_EQ(labyrinth.ranges.size(), 233U);
   EXPECT_EQ(labyrinth.truth.size(), 233U);
-  // Its wheels alone keep to the reference, once turned by the heading at the start (172 degrees).
+  // Its wheels alone keep to the reference, once rotated by the heading at the start (172 degrees).
   const Pose2 X_MO{labyrinth.truth.front().position.x(), labyrinth.truth.front().position.y(), 3.002};
   for (std::size_t i = 0; i < labyrinth.odometry.size(); ++i)
     ASSERT_LT((X_MO * labyrinth.odometry[i].X_OB.position() - labyrinth.truth[i].position).norm(), 0.2) << i;

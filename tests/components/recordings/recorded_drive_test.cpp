@@ -47,7 +47,7 @@ TEST(SyntheticSensors, HaveTheirRatesAndNoise) {
   const auto plane = localization::LocalPlane::around(kDatum);
   double squares = 0.0;
   for (const FixSample& fix : drive.fixes) {
-    const Eigen::Vector3d p = plane->to_plane(fix.place);
+    const Eigen::Vector3d p = plane->to_plane(fix.position);
     squares += std::pow(p.x() - fix.time.to_seconds(), 2) + std::pow(p.y(), 2);
     EXPECT_DOUBLE_EQ(fix.variance.x(), 0.04);
   }
@@ -65,7 +65,7 @@ TEST(SyntheticSensors, NoiseOfOneDoesNotDependOnTheOther) {
   add_synthetic_sensors(alone, {.compass_rate = 0.0}, kDatum, 3);
   EXPECT_TRUE(alone.imu.empty());
   ASSERT_EQ(both.fixes.size(), alone.fixes.size());
-  EXPECT_EQ(both.fixes.back().place.latitude, alone.fixes.back().place.latitude);
+  EXPECT_EQ(both.fixes.back().position.latitude, alone.fixes.back().position.latitude);
 }
 
 std::vector<double> seconds_of(const std::vector<FixSample>& fixes) {

@@ -111,8 +111,8 @@ TEST_F(RecordedRobot, PlaysAHuskyLogAtItsOwnStamps) {
   EXPECT_EQ(heard.odometry[1].child_frame_id(), "base_link");
   EXPECT_EQ(heard.odometry[1].pose().pose().position().x(), 8.25);
   EXPECT_EQ(heard.odometry[1].twist().twist().angular().z(), 0.25);
-  // k = 0.0005 per metre of either wheel over 0.25 m straight on: (0.25 + 0.25) k / 4 along the way; across
-  // it the turn's, (0.25 + 0.25) k / b^2, at half the way.
+  // k = 0.0005 per metre of either wheel over 0.25 m straight on: (0.25 + 0.25) k / 4 along the path; across
+  // it the rotation's, (0.25 + 0.25) k / b^2, at half the distance.
   EXPECT_NEAR(heard.odometry[1].pose().covariance()[0], 0.0005 * 0.5 / 4.0, 1e-9);
   EXPECT_NEAR(heard.odometry[1].pose().covariance()[7], 0.125 * 0.125 * 0.0005 * 0.5 / (0.5708 * 0.5708),
               1e-9);
@@ -139,7 +139,7 @@ TEST_F(RecordedRobot, HoldsFixesOutAndStopsAtTheEnd) {
   EXPECT_NEAR(seconds_of(heard.held_out[0].header()), 1.125, 1e-9);
 }
 
-// Twice as fast: half the time, twice the speeds, the same way.
+// Twice as fast: half the time, twice the speeds, the same path.
 TEST_F(RecordedRobot, PlaysFaster) {
   write_husky();
   const Heard heard = play("husky", "rate: 2");
@@ -243,8 +243,8 @@ tables:
   }
 }
 
-// Another robot's bag, with stamps of today and its scanner's place in /tf_static; where the base is, others
-// say.
+// Another robot's bag, with stamps of today and its scanner's position in /tf_static; where the base is,
+// others say.
 TEST_F(RecordedRobot, PlaysTheBagOfAnyRobot) {
   const std::filesystem::path file = folder_ / "robot.mcap";
   TestBag bag(file);

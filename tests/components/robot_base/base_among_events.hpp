@@ -33,7 +33,7 @@ class BaseAmongEvents {
     all.add((is_even_ ? 1 : 0) + (is_clock_stepped_ ? 2 : 0) + 4 * static_cast<int>(commands_) +
             16 * static_cast<int>(said_));
     all.add(std::min(silent_, 1.0));
-    all.add(way_);
+    all.add(distance_);
     all.add(unread_);
     all.add(stale_);
     all.add(polled_.contacts.value_or(ContactReading{}));
@@ -103,14 +103,14 @@ class BaseAmongEvents {
     silent_ += 0.01;
     unread_ += 0.01;
     const double moved = is_blocked_ || !poll_.link.is_open ? 0.0 : speed_ * 0.01;
-    way_ += moved;
+    distance_ += moved;
     Readings readings = poll_;
     if (is_even_ && poll_.link.is_open) readings.counts = {{now_, 0, 0}};
     guard_.read(now_, readings);
     if (!readings.counts.empty()) {
-      if (stale_ == 0) guard_.moved(now_, {unread_, way_, way_});
+      if (stale_ == 0) guard_.moved(now_, {unread_, distance_, distance_});
       stale_ = std::max(stale_ - 1, 0);
-      way_ = unread_ = 0.0;
+      distance_ = unread_ = 0.0;
     }
     const bool is_reopened = polled_.link.openings != 0 && polled_.link.openings != poll_.link.openings;
     polled_ = poll_;
@@ -153,7 +153,7 @@ class BaseAmongEvents {
   Commands commands_ = Commands::none, said_ = Commands::none;
   double silent_ = 10.0;  ///< since the newest command, by the clock [s]
   double speed_ = 0.0;
-  double way_ = 0.0, unread_ = 0.0;  ///< since the reading before [m], [s]
+  double distance_ = 0.0, unread_ = 0.0;  ///< since the reading before [m], [s]
   int stale_ = 0;
 };
 

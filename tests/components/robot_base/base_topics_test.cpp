@@ -298,9 +298,9 @@ TEST_F(BaseTopics, SpeedIsAveragedForAsLongAsTheDriverAsks) {
         asks ? "driver: bench, velocity_window: 0.2" : "driver: bench");
     ASSERT_GT(told.size(), 100U);
     const auto mean = [&](std::size_t i, std::size_t readings) {
-      const double way =
+      const double distance =
           told[i].pose().pose().position().x() - told[i - readings].pose().pose().position().x();
-      return way / (0.01 * static_cast<double>(readings));
+      return distance / (0.01 * static_cast<double>(readings));
     };
     double most_beside = 0.0;
     for (std::size_t i = 20; i < told.size(); ++i) {

@@ -13,47 +13,48 @@ constexpr double kPi = std::numbers::pi;
 const WheelGeometry kBelieved{.radius = 0.05, .ratio = 1.0, .separation = 0.3};
 const WheelGeometry kTrue{.radius = 0.051, .ratio = 1.01, .separation = 0.309};
 
-/// Wheel turns by which a base of that geometry travels so far and turns so much.
-void roll(std::vector<WheelTurns>& turns, const WheelGeometry& geometry, double distance, double turn) {
+/// Wheel rotations by which a base of that geometry travels so far and rotates so much.
+void roll(std::vector<WheelRotations>& rotations, const WheelGeometry& geometry, double distance,
+          double rotation) {
   constexpr int kSteps = 100;
   const double left_radius = geometry.radius * 2.0 / (1.0 + geometry.ratio);
-  const double across = turn * geometry.separation / 2.0;
-  const WheelTurns one{(distance - across) / left_radius / kSteps,
-                       (distance + across) / (left_radius * geometry.ratio) / kSteps};
-  turns.insert(turns.end(), kSteps, one);
+  const double across = rotation * geometry.separation / 2.0;
+  const WheelRotations one{(distance - across) / left_radius / kSteps,
+                           (distance + across) / (left_radius * geometry.ratio) / kSteps};
+  rotations.insert(rotations.end(), kSteps, one);
 }
 
 /// What the base believes to be a square; direction +1 to the left.
-std::vector<WheelTurns> square(const WheelGeometry& believed, int direction, double side) {
-  std::vector<WheelTurns> turns;
+std::vector<WheelRotations> square(const WheelGeometry& believed, int direction, double side) {
+  std::vector<WheelRotations> rotations;
   for (int leg = 0; leg < 4; ++leg) {
-    roll(turns, believed, side, 0.0);
-    roll(turns, believed, 0.0, direction * kPi / 2.0);
+    roll(rotations, believed, side, 0.0);
+    roll(rotations, believed, 0.0, direction * kPi / 2.0);
   }
-  return turns;
+  return rotations;
 }
 
 std::vector<MeasuredMotion> both_squares(const WheelGeometry& truth, MeasuredMotion::Known known) {
   std::vector<MeasuredMotion> motions;
   for (const int direction : {+1, -1}) {
-    const auto turns = square(kBelieved, direction, 4.0);
-    motions.push_back({turns, rolled(turns, truth), known});
+    const auto rotations = square(kBelieved, direction, 4.0);
+    motions.push_back({rotations, rolled(rotations, truth), known});
   }
   return motions;
 }
 
 void add_straight(std::vector<MeasuredMotion>& motions) {
-  std::vector<WheelTurns> turns;
-  roll(turns, kBelieved, 5.0, 0.0);
+  std::vector<WheelRotations> rotations;
+  roll(rotations, kBelieved, 5.0, 0.0);
   motions.push_back(
-      {turns, {rolled(turns, kTrue).position().norm(), 0.0, 0.0}, MeasuredMotion::Known::distance});
+      {rotations, {rolled(rotations, kTrue).position().norm(), 0.0, 0.0}, MeasuredMotion::Known::distance});
 }
 
 TEST(CalibrateOdometry, ARollOfACircleEndsWhereItsClosedFormSays) {
   // Arc of radius 1 m to the left by a quarter: ends at (1, 1, 90 degrees).
-  std::vector<WheelTurns> turns;
-  roll(turns, kBelieved, kPi / 2.0, kPi / 2.0);
-  const Pose2 end = rolled(turns, kBelieved);
+  std::vector<WheelRotations> rotations;
+  roll(rotations, kBelieved, kPi / 2.0, kPi / 2.0);
+  const Pose2 end = rolled(rotations, kBelieved);
   EXPECT_NEAR(end.x, 1.0, 1e-9);
   EXPECT_NEAR(end.y, 1.0, 1e-9);
   EXPECT_NEAR(end.theta, kPi / 2.0, 1e-9);
@@ -73,28 +74,28 @@ TEST(CalibrateOdometry, ExactMotionsGiveExactSizes) {
   }
 }
 
-// Borenstein and Feng (1996): from the ends of squares of side L in both directions the errors a of each turn
-// and c of each leg; then E_b = 90 / (90 + a), a positive where turns go too far, R = L/2 / sin(c/2) and E_d
-// = (R + b/2) / (R - b/2). Linear in both errors, so small ones are compared.
+// Borenstein and Feng (1996): from the ends of squares of side L in both directions the errors a of each
+// rotation and c of each leg; then E_b = 90 / (90 + a), a positive where rotations go too far, R = L/2 /
+// sin(c/2) and E_d = (R + b/2) / (R - b/2). Linear in both errors, so small ones are compared.
 TEST(CalibrateOdometry, SmallErrorsAreThoseOfTheFormulasOfUmbmark) {
   constexpr double kSide = 4.0;
   const WheelGeometry truth{.radius = 0.05, .ratio = 1.0005, .separation = 0.3 * 1.001};
   std::vector<MeasuredMotion> motions = both_squares(truth, MeasuredMotion::Known::position);
   const Pose2 ccw = motions[0].moved;
   const Pose2 cw = motions[1].moved;
-  // Turns go too far by a and legs bend to the left by c each: the second leg of a left square heads for 90
-  // degrees + a + 3c/2, the fourth for 270 + 3a + 7c/2, so that x ends at L (2a + 2c); of a right square at L
-  // (2a - 2c).
-  const double turn_error = (ccw.x + cw.x) / (4.0 * kSide);
+  // Rotations go too far by a and legs bend to the left by c each: the second leg of a left square heads for
+  // 90 degrees + a + 3c/2, the fourth for 270 + 3a + 7c/2, so that x ends at L (2a + 2c); of a right square
+  // at L (2a - 2c).
+  const double rotation_error = (ccw.x + cw.x) / (4.0 * kSide);
   const double leg_error = (ccw.x - cw.x) / (4.0 * kSide);
-  const double separation_ratio = (kPi / 2.0) / (kPi / 2.0 + turn_error);
+  const double separation_ratio = (kPi / 2.0) / (kPi / 2.0 + rotation_error);
   const double arc = kSide / 2.0 / std::sin(leg_error / 2.0);
   const double ratio = (arc + truth.separation / 2.0) / (arc - truth.separation / 2.0);
 
-  std::vector<WheelTurns> turns;
-  roll(turns, kBelieved, 5.0, 0.0);
+  std::vector<WheelRotations> rotations;
+  roll(rotations, kBelieved, 5.0, 0.0);
   motions.push_back(
-      {turns, {rolled(turns, truth).position().norm(), 0.0, 0.0}, MeasuredMotion::Known::distance});
+      {rotations, {rolled(rotations, truth).position().norm(), 0.0, 0.0}, MeasuredMotion::Known::distance});
   const auto found = calibrate_odometry(motions, kBelieved, {});
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->geometry.ratio, ratio, 0.1 * 0.0005);

@@ -38,23 +38,23 @@ class Experiment {
 
   Robot believed() const { return believed_; }
 
-  /// Drives it to its end; the turns of the wheels on the way.
-  std::vector<WheelTurns> drive(const Leg& leg) {
+  /// Drives it to its end; the rotations of the wheels on the way.
+  std::vector<WheelRotations> drive(const Leg& leg) {
     LegDriver driver(leg, {}, odometry_->state().X_OB);
-    std::vector<WheelTurns> turns;
+    std::vector<WheelRotations> rotations;
     for (int i = 0; i < 6'000; ++i) {
       const auto wish = driver.step(odometry_->state().X_OB, odometry_->state().twist);
-      if (!wish) return turns;
+      if (!wish) return rotations;
       // As motor_control does: 1 m/s^2 and 1.5 rad/s^2 at most.
       commanded_.v += std::clamp(wish->v - commanded_.v, -0.02, 0.02);
       commanded_.omega += std::clamp(wish->omega - commanded_.omega, -0.03, 0.03);
       const double left = odometry_->state().left_angle;
       const double right = odometry_->state().right_angle;
       advance(commanded_);
-      turns.push_back({odometry_->state().left_angle - left, odometry_->state().right_angle - right});
+      rotations.push_back({odometry_->state().left_angle - left, odometry_->state().right_angle - right});
     }
     ADD_FAILURE() << "a leg did not end";
-    return turns;
+    return rotations;
   }
 
   Pose2 measured() {
@@ -96,10 +96,10 @@ std::vector<MeasuredMotion> measure(Experiment& experiment, int straights, int l
   std::vector<MeasuredMotion> motions;
   for (int i = 0; i < straights; ++i) {
     const Pose2 from = experiment.measured();
-    const auto turns = experiment.drive({.distance = 5.0});
+    const auto rotations = experiment.drive({.distance = 5.0});
     const Pose2 to = experiment.measured();
-    motions.push_back({turns, {(to.position() - from.position()).norm(), 0.0, 0.0}, Known::distance});
-    experiment.drive({.turn = std::numbers::pi});
+    motions.push_back({rotations, {(to.position() - from.position()).norm(), 0.0, 0.0}, Known::distance});
+    experiment.drive({.rotation = std::numbers::pi});
   }
   for (int lap = 0; lap < 2 * laps; ++lap) {
     Pose2 from = experiment.measured();
@@ -107,9 +107,9 @@ std::vector<MeasuredMotion> measure(Experiment& experiment, int straights, int l
     for (int leg = 0; leg < 8; ++leg) {
       const Leg motion = leg % 2 == 0
                              ? Leg{.distance = 4.0}
-                             : Leg{.turn = (lap % 2 == 0 ? std::numbers::pi : -std::numbers::pi) / 2.0};
-      const auto turns = experiment.drive(motion);
-      whole.turns.insert(whole.turns.end(), turns.begin(), turns.end());
+                             : Leg{.rotation = (lap % 2 == 0 ? std::numbers::pi : -std::numbers::pi) / 2.0};
+      const auto rotations = experiment.drive(motion);
+      whole.rotations.insert(whole.rotations.end(), rotations.begin(), rotations.end());
       if (ends == Ends::typed && leg < 7) continue;
       const Pose2 to = experiment.measured();
       whole.moved = inverse(from) * to;

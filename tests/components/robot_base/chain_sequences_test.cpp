@@ -126,8 +126,8 @@ class Chain {
     Readings poll = readings_;
     if (poll.link.is_open) poll.counts.push_back({.time = now_});
     guard_.read(now_, poll);
-    const double way = (output_.wheels.left + output_.wheels.right) / 2.0 * kTick.to_seconds();
-    x_ += way;
+    const double distance = (output_.wheels.left + output_.wheels.right) / 2.0 * kTick.to_seconds();
+    x_ += distance;
     if (poll.link.is_open)
       guard_.moved(now_, {output_.wheels.left * kTick.to_seconds(), output_.wheels.right * kTick.to_seconds(),
                           kTick.to_seconds()});

@@ -35,9 +35,9 @@ TEST_P(Contact, BacksOffAndStandsUntilReleased) {
   EXPECT_EQ(base.output().condition, BaseCondition::backing_off);
   // Measured where it turns round: 0.3 m/s at 4 m/s^2 takes 1 cm more.
   base.run_until(0.5, kForwards, [&] { return base.speed() <= 0.0; });
-  const double farthest = base.way();
+  const double farthest = base.distance();
   base.run(4.0, kForwards);
-  const double back = farthest - base.way();
+  const double back = farthest - base.distance();
   EXPECT_LE(back, 0.15);
   EXPECT_GE(back, 0.12);
   EXPECT_EQ(base.output().wheels, WheelSpeeds{});
@@ -94,12 +94,12 @@ TEST(ContactReaction, MoreBumpersMeanwhileMakeItNoLonger) {
   GuardedBase base = moving();
   base.readings.contacts = bumper();
   base.run_until(0.5, kForwards, [&] { return base.speed() <= 0.0; });
-  const double farthest = base.way();
+  const double farthest = base.distance();
   for (int i = 0; i < 40; ++i) {  // 4 s: pressed and let go, left and right
     base.readings.contacts = i % 2 == 0 ? ContactReading{} : ContactReading{.bumper_left = true};
     base.run(0.1, kForwards);
   }
-  EXPECT_LE(farthest - base.way(), 0.15);
+  EXPECT_LE(farthest - base.distance(), 0.15);
   EXPECT_EQ(base.output().wheels, WheelSpeeds{});
 }
 

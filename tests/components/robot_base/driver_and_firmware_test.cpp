@@ -1,5 +1,5 @@
-// Drivers and emulated firmware, which share no code, on one cable: what is commanded is what turns and what
-// is told.
+// Drivers and emulated firmware, which share no code, on one cable: what is commanded is what rotates and
+// what is told.
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -38,7 +38,7 @@ Robot kobuki_robot() {
   return robot;
 }
 
-/// Wheels that turn as the firmware makes them, without slip.
+/// Wheels that rotate as the firmware makes them, without slip.
 class Bench {
  public:
   Bench(const Robot& robot, ScriptedLink::Wire& wire, Driver& driver, EmulatedBase& firmware)
@@ -61,11 +61,11 @@ class Bench {
       for (const Bytes& bytes : std::exchange(wire_.from_host, {})) wire_.put(firmware_.receive(now, bytes));
       body.left_ticks = static_cast<std::int32_t>(std::lround(travel.left / metres_per_tick_));
       body.right_ticks = static_cast<std::int32_t>(std::lround(travel.right / metres_per_tick_));
-      const WheelSpeeds turned = firmware_.motors();
-      body.twist = to_twist(turned, separation_);
+      const WheelSpeeds wheels = firmware_.motors();
+      body.twist = to_twist(wheels, separation_);
       wire_.put(firmware_.step(now, body));
-      travel.left += turned.left * 0.01;
-      travel.right += turned.right * 0.01;
+      travel.left += wheels.left * 0.01;
+      travel.right += wheels.right * 0.01;
     }
     counters = driver_.counters();
   }
@@ -98,7 +98,7 @@ WheelSpeeds course(double t) {
   return {-0.2, -0.1};
 }
 // Left 4 * 0.3 + 3 * 0.1 - 2 * 0.15 - 3 * 0.2, right 4 * 0.3 + 3 * 0.25 + 2 * 0.15 - 3 * 0.1.
-constexpr WheelSpeeds kWay = {0.6, 1.95};
+constexpr WheelSpeeds kTravel = {0.6, 1.95};
 
 // A millimetre a second that base control cuts off makes 12 mm in 12 s, radius and ramps another 20.
 TEST(DriverAndFirmware, KobukiGoesTheWayThatIsCommanded) {
@@ -109,8 +109,8 @@ TEST(DriverAndFirmware, KobukiGoesTheWayThatIsCommanded) {
   Bench bench(robot, wire, driver, firmware);
   bench.run(15.0, course);
   EXPECT_EQ(bench.fault, "");
-  EXPECT_NEAR(bench.travel.left, kWay.left, 0.035);
-  EXPECT_NEAR(bench.travel.right, kWay.right, 0.035);
+  EXPECT_NEAR(bench.travel.left, kTravel.left, 0.035);
+  EXPECT_NEAR(bench.travel.right, kTravel.right, 0.035);
   EXPECT_NEAR(bench.counted().left, bench.travel.left, 1e-3);
   EXPECT_NEAR(bench.counted().right, bench.travel.right, 1e-3);
   // Its gyro's noise and drift are within 0.03 rad in 15 s.
@@ -143,7 +143,7 @@ struct EddieRun {
 };
 
 // GOSPD is a whole number of positions: 3.3 mm/s, of which a half may be lost for 12 s; ramps lose both ways.
-// With 36 to a turn four times that.
+// With 36 to a revolution four times that.
 TEST(DriverAndFirmware, EddieGoesTheWayThatIsCommanded) {
   using emulators::EddieBoard;
   using emulators::SpeedUnit;
@@ -156,8 +156,9 @@ TEST(DriverAndFirmware, EddieGoesTheWayThatIsCommanded) {
       const Bench& bench = run.bench;
       const double count = board == EddieBoard::quadrature ? 0.0033 : 0.0133;
       EXPECT_EQ(bench.fault, "") << is_half << count;
-      EXPECT_NEAR(bench.travel.left, kWay.left, 0.03 + (is_half ? 12.0 : 6.0) * count) << is_half << count;
-      EXPECT_NEAR(bench.travel.right, kWay.right, 0.03 + (is_half ? 12.0 : 6.0) * count) << is_half << count;
+      EXPECT_NEAR(bench.travel.left, kTravel.left, 0.03 + (is_half ? 12.0 : 6.0) * count) << is_half << count;
+      EXPECT_NEAR(bench.travel.right, kTravel.right, 0.03 + (is_half ? 12.0 : 6.0) * count)
+          << is_half << count;
       EXPECT_NEAR(bench.counted().left, bench.travel.left, 2.0 * count);
       EXPECT_NEAR(bench.counted().right, bench.travel.right, 2.0 * count);
       EXPECT_EQ(bench.counters.at("timeouts") + bench.counters.at("malformed replies"), 0U);
@@ -210,7 +211,7 @@ TEST(DriverAndFirmware, AnEddieWithoutWatchDrivesAndSaysSo) {
   const EddieRun run({}, {.has_watch = false}, 15.0);
   const Bench& bench = run.bench;
   EXPECT_EQ(bench.fault, "");
-  EXPECT_NEAR(bench.travel.right, kWay.right, 0.05);
+  EXPECT_NEAR(bench.travel.right, kTravel.right, 0.05);
   EXPECT_EQ(bench.counters.at("errors"), 1U);
 }
 

@@ -1,4 +1,4 @@
-// Eddie with its quadrature board: 144 positions to a turn of 2 pi 0.0762 m, 3.3249 mm each.
+// Eddie with its quadrature board: 144 positions to a revolution of 2 pi 0.0762 m, 3.3249 mm each.
 #pragma once
 
 #include "components/model/robot.hpp"

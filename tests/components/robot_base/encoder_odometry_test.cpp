@@ -38,8 +38,8 @@ void drive(EncoderOdometry& odometry, EncoderCounts& counts, std::int32_t left, 
   }
 }
 
-/// Pose after travelling an arc of length s and turn phi from the origin: (R sin phi, R (1 - cos phi), phi),
-/// R = s / phi.
+/// Pose after travelling an arc of length s and rotation phi from the origin: (R sin phi, R (1 - cos phi),
+/// phi), R = s / phi.
 Pose2 arc_end(double s, double phi) {
   if (phi == 0.0) return {s, 0.0, 0.0};
   return {s / phi * std::sin(phi), s / phi * (1.0 - std::cos(phi)), wrap_angle(phi)};
@@ -53,11 +53,11 @@ TEST(EncoderOdometry, LoopsOfAnyCurvatureMatchTheClosedFormWithin1e9) {
     EncoderOdometry odometry(robot, {});
     EncoderCounts counts{Time::seconds(1.0), 0, 0};
     odometry.add(counts.time, counts);
-    const double turn_per_step = (right - left) * tick / robot.wheel_separation;
-    const int steps = right == left ? 5000 : static_cast<int>(2.0 * kPi / std::abs(turn_per_step)) + 1;
+    const double rotation_per_step = (right - left) * tick / robot.wheel_separation;
+    const int steps = right == left ? 5000 : static_cast<int>(2.0 * kPi / std::abs(rotation_per_step)) + 1;
     drive(odometry, counts, left, right, steps);
     const double s = (left + right) / 2.0 * tick * steps;
-    const Pose2 expected = arc_end(s, turn_per_step * steps);
+    const Pose2 expected = arc_end(s, rotation_per_step * steps);
     EXPECT_NEAR(odometry.state().X_OB.x, expected.x, 1e-9) << left << ' ' << right;
     EXPECT_NEAR(odometry.state().X_OB.y, expected.y, 1e-9) << left << ' ' << right;
     EXPECT_NEAR(wrap_angle(odometry.state().X_OB.theta - expected.theta), 0.0, 1e-9);
@@ -74,8 +74,8 @@ TEST(EncoderOdometry, WheelsOfTwoSizesTravelByTheirOwn) {
   odometry.add(counts.time, counts);
   drive(odometry, counts, 100, 100, 100);
   const double mean = 10'000 * metres_per_tick(robot);
-  const double turn = mean * (2.02 - 2.0) / 2.01 / robot.wheel_separation;
-  const Pose2 expected = arc_end(mean, turn);
+  const double rotation = mean * (2.02 - 2.0) / 2.01 / robot.wheel_separation;
+  const Pose2 expected = arc_end(mean, rotation);
   EXPECT_NEAR(odometry.state().X_OB.x, expected.x, 1e-9);
   EXPECT_NEAR(odometry.state().X_OB.y, expected.y, 1e-9);
   EXPECT_NEAR(odometry.state().X_OB.theta, expected.theta, 1e-12);
@@ -155,7 +155,7 @@ TEST(EncoderOdometry, ARestartedEncoderBoardIsAResetAndOdometryGoesOn) {
 }
 
 // A standing robot, and one bit of one reading or of two in a row that is wrong: the pose moves by no more
-// than the wheels can turn meanwhile, 2 ticks of rounding with it, and is back when the bit is. 2^31 counts
+// than the wheels can rotate meanwhile, 2 ticks of rounding with it, and is back when the bit is. 2^31 counts
 // beside has no magnitude of 32 bits.
 TEST(EncoderOdometry, AFlippedBitMovesAStandingRobotNoFurtherThanItsWheelsCan) {
   const Robot robot;
@@ -255,7 +255,7 @@ TEST(EncoderOdometry, TwistIsTheMeanOverTheWindow) {
   odometry.add(counts.time, counts);
   drive(odometry, counts, 100, 100, 10);
   drive(odometry, counts, 160, 220, 1);
-  // Three intervals of 20 ms: mean of 100, 100 and 190 ticks; turn of 60 ticks over 60 ms.
+  // Three intervals of 20 ms: mean of 100, 100 and 190 ticks; rotation of 60 ticks over 60 ms.
   const double tick = metres_per_tick(robot);
   EXPECT_NEAR(odometry.state().twist.v, 390.0 * tick / 0.06, 1e-9);
   EXPECT_NEAR(odometry.state().twist.omega, 60.0 * tick / robot.wheel_separation / 0.06, 1e-9);

@@ -1,5 +1,5 @@
-// All that decides what a guard does from now on, as text: times as ages, ways as what is left. What is older
-// than any of its limits is as good as one age. Counters, and texts for people, are left out.
+// All that decides what a guard does from now on, as text: times as ages, distances as what is left. What is
+// older than any of its limits is as good as one age. Counters, and texts for people, are left out.
 #pragma once
 
 #include <algorithm>
@@ -70,7 +70,7 @@ struct GuardState {
     }
     for (const WheelGuard::Side& side : wheels.sides_) {
       add(side.is_known ? 1 : 0);
-      for (const double number : {side.lo, side.hi, side.below, side.above, side.seconds, side.way})
+      for (const double number : {side.lo, side.hi, side.below, side.above, side.seconds, side.distance})
         add(number);
     }
   }

@@ -26,7 +26,7 @@ class GuardedBase {
   Time now() const { return now_; }
   double seconds() const { return (now_ - kStart).to_seconds(); }
   const BaseOutput& output() const { return output_; }
-  double way() const { return (way_[0] + way_[1]) / 2.0; }  ///< of the base, forward [m]
+  double distance() const { return (distances_[0] + distances_[1]) / 2.0; }  ///< of the base, forward [m]
   double speed() const { return (speed_[0] + speed_[1]) / 2.0; }
 
   /// Goes on for so long; commands `wish` every 20 ms unless it is empty. `look` after each step.
@@ -36,7 +36,7 @@ class GuardedBase {
       now_ = now_ + kPeriod;
       const bool is_even = (now_.nanoseconds / kPeriod.nanoseconds) % 2 == 0;
       if (wish && is_even) guard_.command(now_, *wish);
-      turn();
+      move_wheels();
       Readings poll = readings;
       if (is_even && !is_silent) count(poll);
       guard_.read(now_, poll);
@@ -72,7 +72,7 @@ class GuardedBase {
  private:
   static constexpr Time kStart{1'000'000'000};
 
-  void turn() {
+  void move_wheels() {
     WheelSpeeds told;
     while (static_cast<int>(told_.size()) > delay + 1) told_.pop_front();
     if (static_cast<int>(told_.size()) > delay) told = told_.front();
@@ -82,14 +82,14 @@ class GuardedBase {
     const double most = is_free ? acceleration * kPeriod.to_seconds() : 1e9;
     for (int i = 0; i < 2; ++i) {
       speed_[i] += std::clamp(target[i] - speed_[i], -most, most);
-      way_[i] += speed_[i] * kPeriod.to_seconds();
+      distances_[i] += speed_[i] * kPeriod.to_seconds();
     }
   }
   void count(Readings& poll) const {
     const double tick =
         2.0 * std::numbers::pi * robot_.wheel_radius / static_cast<double>(robot_.ticks_per_revolution);
-    poll.counts.push_back({now_, static_cast<std::int32_t>(std::floor(way_[0] / tick)),
-                           static_cast<std::int32_t>(std::floor(way_[1] / tick))});
+    poll.counts.push_back({now_, static_cast<std::int32_t>(std::floor(distances_[0] / tick)),
+                           static_cast<std::int32_t>(std::floor(distances_[1] / tick))});
   }
 
   Robot robot_;
@@ -99,7 +99,7 @@ class GuardedBase {
   BaseOutput output_;
   std::deque<WheelSpeeds> told_;
   double speed_[2] = {0.0, 0.0};
-  double way_[2] = {0.0, 0.0};
+  double distances_[2] = {0.0, 0.0};
 };
 
 }  // namespace bw

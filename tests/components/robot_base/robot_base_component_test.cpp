@@ -22,7 +22,7 @@ struct Sent {
   WheelSpeeds wheels;
 };
 
-/// Wheels without mass: they turn as they are told, and count it every 10 ms.
+/// Wheels without mass: they rotate as they are told, and count it every 10 ms.
 class Wheels {
  public:
   void declare(Setup& setup, std::vector<Sent>& sent) {
@@ -124,7 +124,7 @@ TEST(RobotBaseComponent, PublishesOdometryJointsAndTransformOfEveryReading) {
                 });
   });
   ASSERT_EQ(odometry.size(), 100U);
-  // 99 steps of 40 and 50 ticks: an arc of length s and turn phi.
+  // 99 steps of 40 and 50 ticks: an arc of length s and rotation phi.
   const double tick = 2.0 * std::numbers::pi * kRadius / 2578.0;
   const double s = 99 * 45 * tick;
   const double phi = 99 * 10 * tick / 0.39;

@@ -127,8 +127,8 @@ TEST(WheelGuard, SoundBasesRaiseNoAlarm) {
       WheelSpeeds wish, aim;
       for (int step = 0; step < 1000; ++step) {
         if (step % 50 == 0) {
-          const double v = random.uniform(-0.2, 1.0), turn = random.uniform(-0.2, 0.2);
-          aim = random.uniform(0.0, 1.0) < 0.2 ? WheelSpeeds{} : WheelSpeeds{v - turn, v + turn};
+          const double v = random.uniform(-0.2, 1.0), difference = random.uniform(-0.2, 0.2);
+          aim = random.uniform(0.0, 1.0) < 0.2 ? WheelSpeeds{} : WheelSpeeds{v - difference, v + difference};
         }
         const double most = random.uniform(0.0, 1.0) * 0.01;  // of 1 m/s^2
         wish.left += std::clamp(aim.left - wish.left, -most, most);

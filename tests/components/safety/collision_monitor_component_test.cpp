@@ -120,7 +120,7 @@ TEST(CollisionMonitorComponent, PassesCommandsOnAtOnceAndKeepsThemFreshBetween) 
   EXPECT_GT(drive.markers, 5U);
 }
 
-// The laser looks back over 270 degrees: backward the way is seen and free, forward nothing is seen. Who
+// The laser looks back over 270 degrees: backward the path is seen and free, forward nothing is seen. Who
 // takes it for one that looks ahead lets the robot creep backward and drive forward.
 TEST(CollisionMonitorComponent, KnowsWhereTheLaserSitsOfARobotWithAPrefix) {
   const std::string back = "robot: {sensors: [{frame: laser, x: 0.0, y: 0.0, theta: 3.14159265}]}\n";
@@ -276,12 +276,12 @@ TEST(CollisionMonitorComponent, ASweepThatClaimsABillionBeamsIsNotRead) {
   std::array<std::uint8_t, 8> mark{};  // length, then the first range
   std::memcpy(mark.data(), &three, 4);
   std::memcpy(mark.data() + 4, &first, 4);
-  const auto place = std::search(cdr.begin(), cdr.end(), mark.begin(), mark.end());
-  ASSERT_NE(place, cdr.end());
+  const auto found = std::search(cdr.begin(), cdr.end(), mark.begin(), mark.end());
+  ASSERT_NE(found, cdr.end());
   LaserScan read;
   ASSERT_TRUE(deserialize(cdr, read));
   const std::uint32_t billion = 1'000'000'000;
-  std::memcpy(&*place, &billion, 4);
+  std::memcpy(&*found, &billion, 4);
   EXPECT_FALSE(deserialize(cdr, read));
 }
 

@@ -56,7 +56,7 @@ TEST(CollisionMonitor, PassesOnWhatHasRoom) {
 }
 
 TEST(CollisionMonitor, TheStopEndsTenCentimetresBeforeWhatIsThere) {
-  // Free way 0.36 m, less 0.10 m: v 0.1 + v^2 / 4 = 0.26 gives v = -0.2 + sqrt(0.04 + 1.04) = 0.8392
+  // Free distance 0.36 m, less 0.10 m: v 0.1 + v^2 / 4 = 0.26 gives v = -0.2 + sqrt(0.04 + 1.04) = 0.8392
   const Verdict verdict = Bench().run(0.1, sweep_of({pillar(0.66)}), {1.0, 0.0}, {0.0, 0.0});
   EXPECT_NEAR(verdict.allowed.v, 0.8392, 2e-3);
   EXPECT_EQ(verdict.action, Action::approach);
@@ -65,7 +65,7 @@ TEST(CollisionMonitor, TheStopEndsTenCentimetresBeforeWhatIsThere) {
   EXPECT_EQ(Bench().run(0.1, sweep_of({pillar(0.40)}), {1.0, 0.0}).action, Action::stop);
 }
 
-// Free way 1.0 m, less 0.10 m, less 0.08 m that it came nearer since the sweep: with u = 1 m/s
+// Free distance 1.0 m, less 0.10 m, less 0.08 m that it came nearer since the sweep: with u = 1 m/s
 // v 0.1 + v^2 / 4 + (0.1 + v / 2) = 0.82 gives v = -1.2 + sqrt(1.44 + 4 * 0.72) = 0.8785
 TEST(CollisionMonitor, WhatApproachesHasComeNearerSinceTheSweep) {
   CollisionMonitorOptions options;
@@ -74,7 +74,7 @@ TEST(CollisionMonitor, WhatApproachesHasComeNearerSinceTheSweep) {
   EXPECT_NEAR(verdict.allowed.v, 0.8785, 2e-3);
 }
 
-// Free way 0.36 m, less 0.20 m: v 0.1 + v^2 / 4 = 0.16 gives v = -0.2 + sqrt(0.04 + 0.64) = 0.6246
+// Free distance 0.36 m, less 0.20 m: v 0.1 + v^2 / 4 = 0.16 gives v = -0.2 + sqrt(0.04 + 0.64) = 0.6246
 TEST(CollisionMonitor, TakesOtherDistancesWhileItRuns) {
   Bench bench;
   const Sweep sweep = sweep_of({pillar(0.66)});
@@ -115,8 +115,8 @@ TEST(CollisionMonitor, ScalesBothSoThatThePathStays) {
 
 TEST(CollisionMonitor, AtRestItMayTurnAndBackOutButNotGoOn) {
   const Sweep sweep = sweep_of({pillar(0.35)});
-  const Verdict turn = Bench().run(0.2, sweep, {0.0, 0.8});
-  EXPECT_EQ(turn.allowed, (Twist2{0.0, 0.8}));
+  const Verdict rotation = Bench().run(0.2, sweep, {0.0, 0.8});
+  EXPECT_EQ(rotation.allowed, (Twist2{0.0, 0.8}));
   const Verdict on = Bench().run(0.2, sweep, {0.3, 0.8});
   EXPECT_EQ(on.allowed, (Twist2{0.0, 0.8}));
   EXPECT_EQ(on.action, Action::stop);
@@ -132,7 +132,7 @@ TEST(CollisionMonitor, WhatItIsToldToLoseItLosesOfTheTurnAsWell) {
 }
 
 TEST(CollisionMonitor, WhatItsSideWouldOnlyGrazeIsPassedSlowly) {
-  // A pillar of 0.5 m beside the way, 0.28 m from its middle: 0.02 m of the robot's 0.3 m would touch
+  // A pillar of 0.5 m beside the path, 0.28 m from its middle: 0.02 m of the robot's 0.3 m would touch
   const Disc beside{{0.2, 0.78}, 0.5};
   const Verdict verdict = Bench().run(0.1, sweep_of({beside}), {0.5, 0.0});
   EXPECT_DOUBLE_EQ(verdict.allowed.v, 0.05);
@@ -142,7 +142,7 @@ TEST(CollisionMonitor, WhatItsSideWouldOnlyGrazeIsPassedSlowly) {
 }
 
 TEST(CollisionMonitor, AroundLegsItIsSlowEarlier) {
-  // A leg whose surface is 0.7 m ahead: 0.2 m before the free way of 0.4 m ends it is down to 0.2 m/s:
+  // A leg whose surface is 0.7 m ahead: 0.2 m before the free distance of 0.4 m ends it is down to 0.2 m/s:
   // v 0.1 + (v^2 - 0.04) / 4 = 0.2 gives v = -0.2 + sqrt(0.04 + 0.04 + 0.8) = 0.738
   const Verdict verdict = Bench().run(0.1, sweep_of({{{0.77, 0.0}, 0.07}}), {1.0, 0.0});
   EXPECT_NEAR(verdict.allowed.v, 0.738, 3e-3);
@@ -163,7 +163,7 @@ TEST(CollisionMonitor, AccountsForWhereTheRobotWentSinceTheSweep) {
 }
 
 TEST(CollisionMonitor, ACommandThatSlowsDownTooLateIsBrakedHard) {
-  // At 1 m/s with 0.42 m free way a stop at 2 m/s^2, 0.35 m long, is due; the command asks for one, the
+  // At 1 m/s with 0.42 m free distance a stop at 2 m/s^2, 0.35 m long, is due; the command asks for one, the
   // verdict says how.
   const Verdict verdict = Bench().run(0.1, sweep_of({pillar(0.72)}), {0.0, 0.0}, {1.0, 0.0});
   EXPECT_EQ(verdict.allowed, Twist2{});
@@ -237,7 +237,7 @@ TEST(CollisionMonitor, CreepsWhereSomebodyCouldHideAndStopsWhereNothingIsSeen) {
   EXPECT_DOUBLE_EQ(creeps.allowed.v, 0.1);
   EXPECT_EQ(creeps.cause, kSight);
   EXPECT_EQ(Bench().run(0.1, blind(240, 480), {1.0, 0.0}).action, Action::stop);
-  EXPECT_EQ(Bench().run(0.1, blind(0, 180), {1.0, 0.0}).action, Action::do_nothing);  // far off the way
+  EXPECT_EQ(Bench().run(0.1, blind(0, 180), {1.0, 0.0}).action, Action::do_nothing);  // far off the path
 }
 
 // A wall all round at 3.3 m, and then the front third is covered: 120 degrees read +inf, as they do of an

@@ -160,8 +160,8 @@ TEST(EmptySight, AnOpenDoorSeenFromTheStartIsNotDark) {
   for (int i = 0; i < 5; ++i) EXPECT_EQ(dark(sight, covered(60.0)), 0);
 }
 
-// A robot that turns by 0.2 rad from sweep to sweep sees the same third empty from the start on, elsewhere in
-// its field.
+// A robot that rotates by 0.2 rad from sweep to sweep sees the same third empty from the start on, elsewhere
+// in its field.
 TEST(EmptySight, WhatTheRobotTurnsAwayFromHasNotVanished) {
   EmptySight sight({});
   for (int i = 0; i < 12; ++i) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kText = "[[0.255, 0.215], [-0.255, 0.215], [-0.255, -0.215], [0.255, -0.215]]";
 
-/// 1440 beams all round of what walls along x at these places show.
+/// 1440 beams all round of what walls along x at these positions show.
 Sweep corridor(const std::vector<double>& walls, float background = 8.0F) {
   constexpr int kBeams = 1440;
   Sweep sweep{{.angle_min = -std::numbers::pi,
@@ -75,15 +75,15 @@ TEST(FootprintMonitor, DrivesBesideAWallWhereItsDiscWouldStop) {
   EXPECT_EQ(judged(rectangle(), corridor({0.18}), {1.0, 0.0}).action, Action::stop);
 }
 
-// Front 0.255 m: free way 0.36 m, less 0.10 m: v 0.1 + v^2 / 4 = 0.26 gives v = -0.2 + sqrt(0.04 + 1.04) =
-// 0.8392
+// Front 0.255 m: free distance 0.36 m, less 0.10 m: v 0.1 + v^2 / 4 = 0.26 gives v = -0.2 + sqrt(0.04 + 1.04)
+// = 0.8392
 TEST(FootprintMonitor, TheStopEndsTenCentimetresBeforeWhatIsThere) {
   const Sweep pillar = sweep_of({{{0.615 + 0.5, 0.0}, 0.5}});
   EXPECT_NEAR(judged(rectangle(), pillar, {1.0, 0.0}).allowed.v, 0.8392, 2e-3);
 }
 
-// The corner meets the wall after 0.147 rad; 0.10 m of its way is 0.30 rad: it may not begin, and turns away
-// from one wall freely.
+// The corner meets the wall after 0.147 rad; 0.10 m of its travel is 0.30 rad: it may not begin, and turns
+// away from one wall freely.
 TEST(FootprintMonitor, DoesNotTurnItsCornerIntoTheWall) {
   const Sweep passage = corridor({0.25, -0.25});
   EXPECT_EQ(judged(rectangle(), passage, {0.0, 0.5}).allowed.omega, 0.0);
@@ -104,7 +104,7 @@ TEST(FootprintMonitor, TurnsAsFastAsItCanStop) {
 }
 
 // The laser sees 135 degrees to either side. A tail reaches 0.6 m back: what it swings through nobody sees,
-// so that its corner, at hypot(0.6, 0.1) m, moves at 0.1 m/s: 0.164 rad/s. Seen all round it turns as it is
+// so that its corner, at hypot(0.6, 0.1) m, moves at 0.1 m/s: 0.164 rad/s. Seen all round it rotates as it is
 // told, and a disc always does.
 TEST(FootprintMonitor, ATailSwingsSlowlyThroughWhatIsNotSeen) {
   const Robot tail = robot_of("[[0.1, 0.1], [-0.6, 0.1], [-0.6, -0.1], [0.1, -0.1]]", 0.0);

@@ -13,8 +13,8 @@
 
 namespace bw::safety::test {
 
-/// Nearest place of a thing's rim to `p`.
-inline Vector2 place_near(const Capsule& thing, const Vector2& p) {
+/// Nearest point of a thing's rim to `p`.
+inline Vector2 point_near(const Capsule& thing, const Vector2& p) {
   const Vector2 side = thing.b - thing.a;
   const double squared = side.squaredNorm();
   const double share = squared > 0.0 ? std::clamp(side.dot(p - thing.a) / squared, 0.0, 1.0) : 0.0;
@@ -32,24 +32,24 @@ class Driver {
     if (t < next_) return command_;
     next_ = t + numbers_[kCommandPeriod];
     const double v = numbers_[kSpeed];
-    const double turn = numbers_[kTurnRate];
+    const double turn_rate = numbers_[kTurnRate];
     switch (static_cast<int>(numbers_[kDriver])) {
       case 0:  // random, held
-        return command_ = {random_.uniform(-numbers_[kSpeedBack], v), random_.uniform(-turn, turn)};
+        return command_ = {random_.uniform(-numbers_[kSpeedBack], v), random_.uniform(-turn_rate, turn_rate)};
       case 1:  // at what is nearest, forward
       case 2:  // and backward
         return command_ = aim(X_WB, things, numbers_[kDriver] == 1.0);
       case 3:  // on the spot, this way and that
         if (random_.uniform() < 0.1 || command_ == Twist2{})
-          command_ = {0.0, random_.uniform() < 0.5 ? turn : -turn};
+          command_ = {0.0, random_.uniform() < 0.5 ? turn_rate : -turn_rate};
         return command_;
-      case 4:  // full speed, and turns that switch
-        return command_ = {v, random_.uniform() < 0.5 ? turn : -turn};
+      case 4:  // full speed, and rotations that switch
+        return command_ = {v, random_.uniform() < 0.5 ? turn_rate : -turn_rate};
       default:  // any of the ends
         return command_ = {random_.uniform() < 0.5   ? v
                            : random_.uniform() < 0.5 ? -numbers_[kSpeedBack]
                                                      : 0.0,
-                           std::array{-turn, 0.0, turn}[random_.bits() % 3]};
+                           std::array{-turn_rate, 0.0, turn_rate}[random_.bits() % 3]};
     }
   }
 
@@ -58,7 +58,7 @@ class Driver {
     Vector2 target(1.0, 0.0);
     double nearest = std::numeric_limits<double>::infinity();
     for (const Capsule& thing : things) {
-      const Vector2 p = inverse(X_WB) * place_near(thing, X_WB.position());
+      const Vector2 p = inverse(X_WB) * point_near(thing, X_WB.position());
       if (p.norm() < nearest) {
         nearest = p.norm();
         target = p;

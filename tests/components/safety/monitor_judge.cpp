@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kStanding = 0.02;   // [m/s]
 constexpr double kOnTheSpot = 0.2;   // [s] that base_link stands
-constexpr double kAhead = 0.6;       // [rad], of the way it goes
+constexpr double kAhead = 0.6;       // [rad], of the direction it goes
 constexpr double kRemembered = 1.0;  // [s]
 constexpr double kGraze = 0.03;      // [m]: what is touched no deeper than that may be noise
 constexpr double kGentle = 0.05;     // [m/s]
@@ -23,7 +23,7 @@ constexpr double kBraking = 0.01;    // [s] of the stop that is reckoned
 Vector2 touched(const Footprint& outline, const Pose2& X_WB, const Capsule& thing) {
   for (const Vector2& corner : outline.polygon) {
     const Vector2 at = X_WB * corner;
-    if (distance_to(at, thing).distance < 0.0) return place_near(thing, at);
+    if (distance_to(at, thing).distance < 0.0) return point_near(thing, at);
   }
   const auto of_end = [&](const Vector2& end) {
     return distance_to(outline, X_WB, Capsule{end, end, thing.radius});
@@ -34,7 +34,7 @@ Vector2 touched(const Footprint& outline, const Pose2& X_WB, const Capsule& thin
 
 /// Of the robot itself [m/s].
 double closing(const FootprintDistance& d, const Pose2& X_WB, const Twist2& twist) {
-  return -(d.gradient.dot(twist.v * direction(X_WB.theta)) + d.turn * twist.omega);
+  return -(d.gradient.dot(twist.v * direction(X_WB.theta)) + d.by_theta * twist.omega);
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ Judge::Judge(const Scene& scene, const Robot& robot, const Laser& laser, double 
       contacts_(scene.things.size()) {
   const auto& n = scene.numbers;
   const double braking = wheel_of({n[kSpeed], n[kTurnRate]}) / n[kDeceleration];
-  stopping_ = std::max(kRemembered, n[kPeriod] * (1.0 + n[kTurns]) + n[kAge] + reaction_time + braking);
+  stopping_ = std::max(kRemembered, n[kPeriod] * (1.0 + n[kSweepShare]) + n[kAge] + reaction_time + braking);
 }
 
 /// Or has, while the sweeps are remembered.
@@ -64,12 +64,12 @@ void Judge::heard(double t, Laser::Sweep sweep, const Pose2& X_WB, const Twist2&
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     if (!moves(i, t)) continue;
     Capsule person = shape_of(scene_.things[i], sweep.middle());
-    const bool is_shown = laser_.shows(sweep, place_near(person, sweep.X_WL.front().position()));
+    const bool is_shown = laser_.shows(sweep, point_near(person, sweep.X_WL.front().position()));
     person.radius -= kGraze;
     if (!is_shown || !would_touch(person, X_WB, twist))
-      contacts_[i].in_way_at = kNever;
+      contacts_[i].in_path_at = kNever;
     else
-      contacts_[i].in_way_at = std::min(contacts_[i].in_way_at, t);
+      contacts_[i].in_path_at = std::min(contacts_[i].in_path_at, t);
   }
   sweeps_.push_back(std::move(sweep));
 }
@@ -83,7 +83,7 @@ void Judge::look(double t, const Pose2& X_WB, const Twist2& twist, const std::ve
   for (std::size_t i = 0; i < things.size(); ++i) {
     Contact& contact = contacts_[i];
     contact.wheel =
-        t < contact.in_way_at + reaction_time_ ? wheel_of(twist) : std::max(0.0, contact.wheel - braked);
+        t < contact.in_path_at + reaction_time_ ? wheel_of(twist) : std::max(0.0, contact.wheel - braked);
     if (gap_to(outline_, X_WB, things[i], 0.0) >= 0.0) {
       contact.kind = nullptr;
       continue;
@@ -93,7 +93,7 @@ void Judge::look(double t, const Pose2& X_WB, const Twist2& twist, const std::ve
     if (begins)
       contact.kind = moves(i, t) ? kind_of_person(contact, t, twist)
                                  : kind_of(t, touched(outline_, X_WB, things[i]), X_WB, twist);
-    if (contact.kind == &Result::turned_into && drove_at_ == t)
+    if (contact.kind == &Result::rotated_into && drove_at_ == t)
       contact.kind = &Result::swept;  // it drives on
     double& worst = result.*contact.kind;
     // Who walks on is inside of the outline then, where no laser sees.
@@ -101,23 +101,24 @@ void Judge::look(double t, const Pose2& X_WB, const Twist2& twist, const std::ve
   }
 }
 
-Judge::Kind Judge::kind_of(double t, const Vector2& place, const Pose2& X_WB, const Twist2& twist) const {
+Judge::Kind Judge::kind_of(double t, const Vector2& position, const Pose2& X_WB, const Twist2& twist) const {
   const auto of_all = [&](double seconds, bool (Laser::*says)(const Laser::Sweep&, const Vector2&) const) {
     return !sweeps_.empty() && std::ranges::all_of(sweeps_, [&](const auto& sweep) {
-      return sweep.middle() < t - seconds || (laser_.*says)(sweep, place);
+      return sweep.middle() < t - seconds || (laser_.*says)(sweep, position);
     });
   };
   if (of_all(stopping_, &Laser::shows)) return &Result::worst;
   if (!of_all(kRemembered, &Laser::is_blind_to)) return &Result::hidden;
-  if (t >= drove_at_ + kOnTheSpot) return &Result::turned_into;
-  const Vector2 way = inverse(X_WB) * place;
-  const bool is_ahead = std::abs(twist.v) >= outline_.radius * std::abs(twist.omega) &&
-                        std::abs(std::atan2(way.y(), std::copysign(way.x(), way.x() * twist.v))) < kAhead;
+  if (t >= drove_at_ + kOnTheSpot) return &Result::rotated_into;
+  const Vector2 offset = inverse(X_WB) * position;
+  const bool is_ahead =
+      std::abs(twist.v) >= outline_.radius * std::abs(twist.omega) &&
+      std::abs(std::atan2(offset.y(), std::copysign(offset.x(), offset.x() * twist.v))) < kAhead;
   return is_ahead ? &Result::ahead : &Result::swept;
 }
 
 Judge::Kind Judge::kind_of_person(const Contact& contact, double t, const Twist2& twist) const {
-  const bool must_brake = t >= contact.in_way_at + reaction_time_;
+  const bool must_brake = t >= contact.in_path_at + reaction_time_;
   return must_brake && wheel_of(twist) > contact.wheel + kStanding ? &Result::not_braked : &Result::walked_in;
 }
 

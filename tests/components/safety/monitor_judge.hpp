@@ -28,13 +28,13 @@ class Judge {
 
   /// Of a thing, and the robot.
   struct Contact {
-    Kind kind = nullptr;        ///< while they touch
-    double in_way_at = kNever;  ///< since when a stop begun at once would touch it where each sweep shows it
-    double wheel = 0.0;         ///< fastest allowed by then, once the robot must brake [m/s]
+    Kind kind = nullptr;         ///< while they touch
+    double in_path_at = kNever;  ///< since when a stop begun at once would touch it where each sweep shows it
+    double wheel = 0.0;          ///< fastest allowed by then, once the robot must brake [m/s]
   };
   bool moves(std::size_t thing, double t) const;
   double wheel_of(const Twist2& twist) const;
-  Kind kind_of(double t, const Vector2& place, const Pose2& X_WB, const Twist2& twist) const;
+  Kind kind_of(double t, const Vector2& position, const Pose2& X_WB, const Twist2& twist) const;
   Kind kind_of_person(const Contact& contact, double t, const Twist2& twist) const;
   /// Whether a robot that brakes after the reaction time closes in on `person` and touches it at more than
   /// 0.05 m/s.

@@ -15,9 +15,9 @@ constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
 /// Along unit vector `u` from `from` to the rim of a disc.
 double to_disc(const Vector2& from, const Vector2& u, const Vector2& center, double radius) {
-  const Vector2 way = center - from;
-  const double along = way.dot(u);
-  const double off = cross(u, way);
+  const Vector2 offset = center - from;
+  const double along = offset.dot(u);
+  const double off = cross(u, offset);
   const double under_root = radius * radius - off * off;
   if (under_root <= 0.0 || along <= 0.0) return std::numeric_limits<double>::infinity();
   return std::max(0.0, along - std::sqrt(under_root));
@@ -46,7 +46,9 @@ Laser::Laser(const Scene& scene)
       random_(static_cast<std::uint64_t>(numbers_[kSeed])),
       X_BL_{numbers_[kLaserX], 0.0, numbers_[kLaserHeading]} {}
 
-Laser::Sweep Laser::begin(double t) const { return {t, t + numbers_[kTurns] * numbers_[kPeriod], {}, {}}; }
+Laser::Sweep Laser::begin(double t) const {
+  return {t, t + numbers_[kSweepShare] * numbers_[kPeriod], {}, {}};
+}
 
 bool Laser::go_on(Sweep& sweep, double t, const Pose2& X_WB, const std::vector<Capsule>& things) {
   const double taken = sweep.ended - sweep.begun;
@@ -58,8 +60,8 @@ bool Laser::go_on(Sweep& sweep, double t, const Pose2& X_WB, const std::vector<C
   for (const Capsule& thing : things) meet(thing, X_WL, first, nearest);
   sweep.X_WL.resize(due, X_WL);
   sweep.ranges.reserve(due);
-  for (const double way : nearest)
-    sweep.ranges.push_back(reading(angle_of(static_cast<double>(sweep.ranges.size())), t, way));
+  for (const double distance : nearest)
+    sweep.ranges.push_back(reading(angle_of(static_cast<double>(sweep.ranges.size())), t, distance));
   return share == 1.0;
 }
 
@@ -91,9 +93,9 @@ LaserSweep Laser::view(const Sweep& sweep) const {
           .time_increment = (sweep.ended - sweep.begun) / numbers_[kBeams]};
 }
 
-double Laser::beam_to(const Sweep& sweep, const Vector2& place) const {
+double Laser::beam_to(const Sweep& sweep, const Vector2& position) const {
   const auto beam_at = [&](std::size_t from) {
-    const Vector2 p_L = inverse(sweep.X_WL[from]) * place;
+    const Vector2 p_L = inverse(sweep.X_WL[from]) * position;
     const double off = wrap_angle(std::atan2(p_L.y(), p_L.x()) - angle_of(0));
     return (off < 0.0 ? off + 2.0 * kPi : off) / increment();
   };
@@ -102,39 +104,39 @@ double Laser::beam_to(const Sweep& sweep, const Vector2& place) const {
   return beam_at(std::min(last, static_cast<std::size_t>(beam_at(last / 2))));
 }
 
-bool Laser::shows(const Sweep& sweep, const Vector2& place) const {
-  const auto beam = static_cast<std::ptrdiff_t>(std::lround(beam_to(sweep, place)));
+bool Laser::shows(const Sweep& sweep, const Vector2& position) const {
+  const auto beam = static_cast<std::ptrdiff_t>(std::lround(beam_to(sweep, position)));
   int shown = 0;
   for (std::ptrdiff_t at = beam - 2; at <= beam + 2; ++at) {
     const std::ptrdiff_t i = is_round() ? (at + std::ssize(sweep.ranges)) % std::ssize(sweep.ranges) : at;
     if (i < 0 || i >= std::ssize(sweep.ranges)) return false;
     const auto index = static_cast<std::size_t>(i);
-    const double range = (place - sweep.X_WL[index].position()).norm();
+    const double range = (position - sweep.X_WL[index].position()).norm();
     if (std::abs(sweep.ranges[index] - range) < 0.05 + 5.0 * numbers_[kNoise]) ++shown;
   }
   return shown >= 4;
 }
 
-bool Laser::is_blind_to(const Sweep& sweep, const Vector2& place) const {
-  const double beam = beam_to(sweep, place);
-  const double turn = 2.0 * kPi / increment();
+bool Laser::is_blind_to(const Sweep& sweep, const Vector2& position) const {
+  const double beam = beam_to(sweep, position);
+  const double revolution = 2.0 * kPi / increment();
   for (std::size_t i = 0; i < sweep.ranges.size(); ++i) {
     const double off = std::abs(static_cast<double>(i) - beam);
-    if (std::min(off, turn - off) * increment() < kBlind && !std::isnan(sweep.ranges[i])) return false;
+    if (std::min(off, revolution - off) * increment() < kBlind && !std::isnan(sweep.ranges[i])) return false;
   }
   return true;
 }
 
-float Laser::reading(double angle, double t, double way) {
+float Laser::reading(double angle, double t, double distance) {
   const bool is_lost = numbers_[kDropout] > 0.0 && random_.uniform() < numbers_[kDropout];
   if (is_lost || std::abs(wrap_angle(angle - numbers_[kBlindAt])) < 0.5 * numbers_[kBlindWidth])
     return kUnknown;
   if (t > numbers_[kDarkFrom] && std::abs(wrap_angle(angle - numbers_[kDarkAt])) < 0.5 * numbers_[kDarkWidth])
     return kNothing;
-  if (way >= numbers_[kRange]) return kNothing;
+  if (distance >= numbers_[kRange]) return kNothing;
   const double noise =
       numbers_[kNoise] > 0.0 ? numbers_[kNoise] * std::clamp(random_.normal(), -3.0, 3.0) : 0.0;
-  return static_cast<float>(std::clamp(way + noise, 0.021, numbers_[kRange]));
+  return static_cast<float>(std::clamp(distance + noise, 0.021, numbers_[kRange]));
 }
 
 }  // namespace bw::safety::test

@@ -1,4 +1,4 @@
-// The laser of a scene: rays to things, lost beams, a mast, a cover; a head that turns takes its beams one
+// The laser of a scene: rays to things, lost beams, a mast, a cover; a head that rotates takes its beams one
 // after the other.
 #pragma once
 
@@ -27,23 +27,24 @@ class Laser {
   /// What its driver says of it, by its own clock.
   LaserSweep view(const Sweep& sweep) const;
 
-  /// Whether `place` (world) is in the field, the first thing in the way, and no lost beam: four of five
+  /// Whether `position` (world) is in the field, the first thing in the way, and no lost beam: four of five
   /// beams.
-  bool shows(const Sweep& sweep, const Vector2& place) const;
-  /// Whether no beam near the way to `place` says anything: it lies outside of the field, or behind the mast.
-  bool is_blind_to(const Sweep& sweep, const Vector2& place) const;
+  bool shows(const Sweep& sweep, const Vector2& position) const;
+  /// Whether no beam near the line to `position` says anything: it lies outside of the field, or behind the
+  /// mast.
+  bool is_blind_to(const Sweep& sweep, const Vector2& position) const;
 
  private:
   bool is_round() const { return numbers_[kField] > 6.28; }
   double increment() const { return numbers_[kField] / (numbers_[kBeams] - (is_round() ? 0.0 : 1.0)); }
   double angle_of(double beam) const { return -0.5 * numbers_[kField] + beam * increment(); }
-  /// Which beam would look at `place`, between 0 and a full turn of beams.
-  double beam_to(const Sweep& sweep, const Vector2& place) const;
-  /// Way to `thing` of each beam that meets it sooner than what is there in `nearest`, of the beams from
+  /// Which beam would look at `position`, between 0 and a full revolution of beams.
+  double beam_to(const Sweep& sweep, const Vector2& position) const;
+  /// Distance to `thing` of each beam that meets it sooner than what is there in `nearest`, of the beams from
   /// `first` on.
   void meet(const Capsule& thing, const Pose2& X_WL, std::size_t first, std::vector<double>& nearest) const;
   /// What a beam says whose light goes so far.
-  float reading(double angle, double t, double way);
+  float reading(double angle, double t, double distance);
 
   const std::array<double, kNumbers>& numbers_;
   Random random_;

@@ -2,13 +2,13 @@
 //
 //   seen         the robot itself never closes in on what its laser could see and touches it at more than 0.05 m/s
 //   ahead        where its laser does not look, in the sector of travel: at no more than base_link and the rim at creep_speed together
-//   turned into  by a turn on the spot, where it does not look: the rim at no more than creep_speed
+//   turned into  by a rotation in place, where it does not look: the rim at no more than creep_speed
 //   braked       who walks is touched by a robot that brakes with stop_deceleration, since reaction_time after the first sweep that showed
 //                them where a stop would still have touched them; or at no more than 0.05 m/s of the robot
 //                itself
 //
-// Premises: a place counts as seen when each sweep of the last second shows it (four of five beams), and of
-// as long as the robot needs to stop from its top speed where that is longer, so that
+// Premises: a position counts as seen when each sweep of the last second shows it (four of five beams), and
+// of as long as the robot needs to stop from its top speed where that is longer, so that
 // what is in a blind sector, behind something else, or thinner than three beams is not;
 // stopping.reaction_time is at least the true one (motor control, wheels); sweeps say when they were taken,
 // those of another clock with their delay; odometry is right. Told and not claimed: what is hidden, what a
@@ -39,7 +39,7 @@ const double kCreep = CollisionMonitorOptions{}.sight.creep_speed;
 
 /// How much faster than claimed, the worst of all [m/s].
 double excess(const Result& result) {
-  return std::max({result.worst - kClaim, result.ahead - 2.0 * kCreep, result.turned_into - kCreep,
+  return std::max({result.worst - kClaim, result.ahead - 2.0 * kCreep, result.rotated_into - kCreep,
                    result.not_braked - kClaim});
 }
 
@@ -66,7 +66,7 @@ TEST(MonitorProperty, NoCommandMakesTheRobotTouchWhatItCouldSee) {
       const Result result = run(random_scene(first + i));
       const std::lock_guard lock(mutex);
       driven += result.driven;
-      for (double Result::*kind : {&Result::worst, &Result::ahead, &Result::turned_into, &Result::not_braked,
+      for (double Result::*kind : {&Result::worst, &Result::ahead, &Result::rotated_into, &Result::not_braked,
                                    &Result::swept, &Result::hidden, &Result::walked_in})
         worst.*kind = std::max(worst.*kind, result.*kind);
       if (excess(result) > 0.0) findings.push_back({first + i, excess(result)});
@@ -79,7 +79,7 @@ TEST(MonitorProperty, NoCommandMakesTheRobotTouchWhatItCouldSee) {
       "%llu cases from seed %llu, %.0f m driven, %zu touched faster than claimed; fastest [m/s]: seen %.3f, ahead %.3f, "
       "turned into %.3f, not braked for %.3f; swept %.3f, hidden %.3f, walked in %.3f\n",
       static_cast<unsigned long long>(cases), static_cast<unsigned long long>(first), driven, findings.size(),
-      worst.worst, worst.ahead, worst.turned_into, worst.not_braked, worst.swept, worst.hidden,
+      worst.worst, worst.ahead, worst.rotated_into, worst.not_braked, worst.swept, worst.hidden,
       worst.walked_in);
   std::fflush(stdout);
   std::ranges::sort(findings, {}, [](const Finding& finding) { return -finding.excess; });

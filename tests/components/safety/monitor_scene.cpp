@@ -58,7 +58,7 @@ Robot robot_of(const Scene& scene) {
                   .v_back_max = n[kSpeedBack],
                   .omega_max = n[kTurnRate],
                   .acc_max = n[kAcceleration],
-                  .alpha_max = n[kTurnAcceleration],
+                  .alpha_max = n[kAngularAcceleration],
                   .jerk_max = 10.0,
                   .stop_deceleration = n[kDeceleration]};
   Footprint outline;
@@ -92,7 +92,7 @@ Scene random_scene(std::uint64_t seed) {
   n[kTurnRate] = random.uniform(0.3, 3.0);
   n[kDeceleration] = random.uniform(1.0, 4.0);
   n[kAcceleration] = n[kDeceleration] * random.uniform(0.3, 1.0);
-  n[kTurnAcceleration] = random.uniform(0.8, 6.0);
+  n[kAngularAcceleration] = random.uniform(0.8, 6.0);
   n[kSeparation] = random.uniform(0.2, 0.5);
   n[kLaserX] = random.uniform(-0.08, 0.1);
   n[kLaserHeading] = pick({0.0, 0.0, std::numbers::pi});
@@ -115,7 +115,7 @@ Scene random_scene(std::uint64_t seed) {
   n[kSeconds] = 4.0;
   n[kCommandPeriod] = pick({0.02, 0.1, 0.5, 1.5});
   Random other(seed + 1'000'000'007);  // so that the numbers above stay what they are
-  n[kTurns] = other.uniform() < 0.3 ? 0.9 : 0.0;
+  n[kSweepShare] = other.uniform() < 0.3 ? 0.9 : 0.0;
   if (other.uniform() < 0.3) {
     n[kClock] = other.uniform(-1000.0, 1000.0);
     n[kDrift] = other.uniform(-5e-4, 5e-4);

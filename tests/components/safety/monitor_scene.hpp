@@ -38,7 +38,7 @@ enum Number : std::size_t {
   kSpeedBack,
   kTurnRate,
   kAcceleration,
-  kTurnAcceleration,
+  kAngularAcceleration,
   kDeceleration,
   kSeparation,
   kLaserX,
@@ -60,7 +60,7 @@ enum Number : std::size_t {
   kSeed,
   kSeconds,
   kCommandPeriod,  ///< [s]
-  kTurns,          ///< share of a period in which a head that turns takes its beams; 0: all at once
+  kSweepShare,     ///< share of a period in which a head that rotates takes its beams; 0: all at once
   kClock,          ///< what the laser's clock is ahead of the robot's [s]; 0: it is the robot's own
   kDrift,          ///< of another clock [s/s]
   kNumbers

@@ -34,9 +34,9 @@ Result run(const Scene& scene) {
   Laser laser(scene);
   Judge judge(scene, robot, laser, options.stopping.reaction_time);
   Driver driver(scene);
-  const double turning = n[kTurns] * n[kPeriod];
+  const double sweep_time = n[kSweepShare] * n[kPeriod];
   const StampSource writer{.is_own_clock = n[kClock] == 0.0,
-                           .delay = Duration::seconds(0.5 * turning + n[kAge])};
+                           .delay = Duration::seconds(0.5 * sweep_time + n[kAge])};
   std::optional<Laser::Sweep> begun;
   std::deque<Laser::Sweep> under_way;
   std::deque<std::pair<double, Twist2>> wheels;
@@ -102,7 +102,7 @@ Scene shrunk(Scene scene, const std::function<double(const Result&)>& excess) {
       has_changed |=
           attempt([i](Scene& s) { s.things.erase(s.things.begin() + static_cast<std::ptrdiff_t>(i)); });
     for (const std::size_t extra : {kNoise, kDropout, kBlindWidth, kDarkWidth, kAge, kDelay, kLaserX,
-                                    kLaserHeading, kTurns, kClock, kDrift})
+                                    kLaserHeading, kSweepShare, kClock, kDrift})
       has_changed |= attempt([extra](Scene& s) { s.numbers[extra] = 0.0; });
     for (const double less : {0.5, 0.1, 0.02})
       has_changed |= attempt([less](Scene& s) { s.numbers[kSeconds] -= less; });

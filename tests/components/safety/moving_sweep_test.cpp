@@ -1,4 +1,4 @@
-// Sweeps that take their time, on a robot that turns.
+// Sweeps that take their time, on a robot that rotates.
 #include "tests/components/model/moving_sweep.hpp"
 
 #include <gtest/gtest.h>
@@ -32,14 +32,14 @@ double allowed(test::MovingSweep moving, bool at_once) {
   return monitor.judge(now, {1.0, 0.0}).allowed.v;
 }
 
-// At 0.6 m/s towards a wall, by a laser that looks backward: what is ahead it sees at both ends of its turn,
-// 1/14 s from the middle, in which the robot goes 4.3 cm. The monitor must allow what it does when all beams
-// are of the sweep's time; taken for one, the first ones put the wall 4.3 cm nearer: with 0.1 s and 2 m/s^2
-// some 0.1 m/s less.
+// At 0.6 m/s towards a wall, by a laser that looks backward: what is ahead it sees at both ends of its
+// revolution, 1/14 s from the middle, in which the robot goes 4.3 cm. The monitor must allow what it does
+// when all beams are of the sweep's time; taken for one, the first ones put the wall 4.3 cm nearer: with 0.1
+// s and 2 m/s^2 some 0.1 m/s less.
 TEST(MovingSweep, TheMonitorFindsWhereEachBeamWasTaken) {
   const test::MovingSweep slow{.twist = {0.6, 0.3}, .X_BL = {0.0, 0.0, std::numbers::pi}, .wall = 0.7};
   test::MovingSweep instant = slow;
-  instant.turn = 1e-9;
+  instant.period = 1e-9;
   const double right = allowed(instant, false);
   EXPECT_GT(right, 0.1);
   EXPECT_NEAR(allowed(slow, false), right, 2e-3);

@@ -56,11 +56,11 @@ Sweep wall_at(double distance) {
 
 /// A disc of 0.3 m that follows the monitor with 1 m/s^2 and brakes with 2 m/s^2.
 Outcome drive(const Case& c, double phase = 0.0) {
-  struct OnTheWay {
+  struct InTransit {
     double arrival, measured, x;
   };
   CollisionMonitor monitor{Robot{}, {}};
-  std::deque<OnTheWay> queue;
+  std::deque<InTransit> queue;
   Outcome outcome;
   double x = 0.0, v = 0.0, next = phase, last_arrival = 0.0;
   const double base = 1000.0;
@@ -75,7 +75,7 @@ Outcome drive(const Case& c, double phase = 0.0) {
     const Time now = Time::seconds(base + t);
     if (i % 2 == 0) monitor.odometry(now, {x, 0.0, 0.0}, {v, 0.0});
     for (; !queue.empty() && queue.front().arrival <= t + 1e-9; queue.pop_front()) {
-      const OnTheWay& one = queue.front();
+      const InTransit& one = queue.front();
       Sweep sweep = wall_at(kWall - one.x);
       sweep.time = Time::seconds(base + one.measured + c.clock(one.measured));
       monitor.sweep(now, sweep.view(), c.source);

@@ -139,7 +139,7 @@ CheckedSweep all_round(int beams, int blind_first, int blind_last, double from =
 }
 
 // A mast straight behind hides 10 degrees at either end of the sweep: one gap of 20 degrees, not two of 10.
-// Turned so that the ends lie elsewhere the same gap is as wide.
+// Rotated so that the ends lie elsewhere the same gap is as wide.
 TEST(Sweep, TheEndsOfATurnAreOneDirection) {
   const double degree = std::numbers::pi / 180.0;
   EXPECT_NEAR(sight_of(all_round(720, 20, 20), std::numbers::pi, 0.785).widest_gap, 20.0 * degree, 1e-9);

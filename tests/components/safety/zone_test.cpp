@@ -29,7 +29,7 @@ TEST(Zone, AStopZoneAllowsOnlyWhatLeadsAway) {
   EXPECT_EQ(zone.share_left({-0.1, 0.0}, both), 0.0);
 }
 
-// A rectangle from 0 to 1 m ahead, 0.4 m to either side; something at its left edge. A turn to the left
+// A rectangle from 0 to 1 m ahead, 0.4 m to either side; something at its left edge. A rotation to the left
 // brings it to the middle, one to the right out of it.
 TEST(Zone, AStopZoneStopsTurnsThatDoNotLeadOut) {
   const Zone zone({.type = ZoneShape::polygon, .points = {{0.0, -0.4}, {1.0, -0.4}, {1.0, 0.4}, {0.0, 0.4}}});

@@ -13,7 +13,7 @@ namespace bw {
 namespace {
 
 constexpr std::size_t kTeleop = 0, kStamped = 1, kBehavior = 2, kNav = 3;
-const Twist2 kAhead{0.5, 0.1}, kBack{-0.2, 0.0}, kTurn{0.0, 1.0};
+const Twist2 kAhead{0.5, 0.1}, kBack{-0.2, 0.0}, kRotation{0.0, 1.0};
 
 Time at(double seconds) { return Time::seconds(1000.0 + seconds); }
 TwistMux mux() { return TwistMux(TwistMuxOptions{}); }
@@ -36,7 +36,7 @@ TEST(TwistMux, WhomAHandTookOverFromIsNotHeardAgainBeforeARelease) {
   EXPECT_TRUE(m.is_interrupted());
   for (int i = 2; i <= 2001; ++i)
     EXPECT_EQ(m.command(at(0.05 * i), kNav, kAhead), std::nullopt) << i;  // 100 s
-  EXPECT_EQ(m.command(at(101.0), kBehavior, kTurn), std::nullopt);
+  EXPECT_EQ(m.command(at(101.0), kBehavior, kRotation), std::nullopt);
   // Silent for 0.2 s and a hand is nobody who outranks: from 0.25 s on, so from i = 6, it is the
   // interruption.
   EXPECT_EQ(m.count(kNav).outranked, 4U);
@@ -77,7 +77,7 @@ TEST(TwistMux, ABehaviorInterruptsNobody) {
   TwistMux m = mux();
   m.set_goal(true);
   m.command(at(0.0), kNav, kAhead);
-  m.command(at(0.1), kBehavior, kTurn);
+  m.command(at(0.1), kBehavior, kRotation);
   EXPECT_FALSE(m.is_interrupted());
 }
 
@@ -86,7 +86,7 @@ TEST(TwistMux, ABehaviorInterruptsNobody) {
 TEST(TwistMux, ABehaviorGoesBeforeThePlannerAndLeavesItTheRobotAQuarterOfASecondAfterItsEnd) {
   TwistMux m = mux();
   m.command(at(0.0), kNav, kAhead);
-  EXPECT_EQ(m.command(at(0.05), kBehavior, kTurn), kTurn);
+  EXPECT_EQ(m.command(at(0.05), kBehavior, kRotation), kRotation);
   EXPECT_EQ(m.command(at(0.1), kNav, kAhead), std::nullopt);
   EXPECT_EQ(m.command(at(0.15), kBehavior, Twist2{}), Twist2{});
   EXPECT_EQ(m.command(at(0.4), kNav, kAhead), std::nullopt);
@@ -94,7 +94,7 @@ TEST(TwistMux, ABehaviorGoesBeforeThePlannerAndLeavesItTheRobotAQuarterOfASecond
   EXPECT_EQ(m.command(at(0.41), kNav, kAhead), kAhead);
   // A hand goes before both.
   EXPECT_EQ(m.command(at(0.5), kTeleop, kBack), kBack);
-  EXPECT_EQ(m.command(at(0.55), kBehavior, kTurn), std::nullopt);
+  EXPECT_EQ(m.command(at(0.55), kBehavior, kRotation), std::nullopt);
 }
 
 TEST(TwistMux, SilenceIsAZeroOnceAfterTheTimeOut) {
@@ -143,7 +143,7 @@ TEST(TwistMux, WhatIsNoNumberIsRefusedAndTakesNothingOver) {
   EXPECT_EQ(m.command(at(0.1), kTeleop, {kNan, 0.0}), std::nullopt);
   EXPECT_EQ(m.command(at(0.1), kTeleop, {0.0, -kInfinity}), std::nullopt);
   EXPECT_EQ(m.count(kTeleop).not_finite, 2U);
-  EXPECT_EQ(m.command(at(0.1), kNav, kTurn), kTurn);
+  EXPECT_EQ(m.command(at(0.1), kNav, kRotation), kRotation);
   // Of the one who drives it is a stop, once.
   EXPECT_EQ(m.command(at(0.2), kNav, {kNan, 0.0}), Twist2{});
   EXPECT_EQ(m.command(at(0.3), kNav, {kNan, 0.0}), std::nullopt);

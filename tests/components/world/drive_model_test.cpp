@@ -36,7 +36,7 @@ TEST(DriveModel, SpeedsUpAtTheWheelLimit) {
 }
 
 TEST(DriveModel, WheelsFurtherApartTurnLess) {
-  // omega = (0.7 - 0.3) / (b (1 + 0.03)); the wheels' way, which encoders see, stays what it was.
+  // omega = (0.7 - 0.3) / (b (1 + 0.03)); the wheels' travel, which encoders see, stays what it was.
   DriveOptions options;
   options.separation_error = 0.03;
   const Robot robot;
@@ -57,16 +57,16 @@ TEST(DriveModel, DrivesACircle) {
   run(drive, 3.0);
   const double omega = 0.2 / robot.wheel_separation;
   const double radius = 0.7 / omega;
-  const double turned = from.theta + 3.0 * omega;
-  EXPECT_NEAR(drive.pose().x, from.x + radius * (std::sin(turned) - std::sin(from.theta)), 1e-9);
-  EXPECT_NEAR(drive.pose().y, from.y - radius * (std::cos(turned) - std::cos(from.theta)), 1e-9);
-  EXPECT_NEAR(drive.pose().theta, wrap_angle(turned), 1e-9);
+  const double heading = from.theta + 3.0 * omega;
+  EXPECT_NEAR(drive.pose().x, from.x + radius * (std::sin(heading) - std::sin(from.theta)), 1e-9);
+  EXPECT_NEAR(drive.pose().y, from.y - radius * (std::cos(heading) - std::cos(from.theta)), 1e-9);
+  EXPECT_NEAR(drive.pose().theta, wrap_angle(heading), 1e-9);
   EXPECT_NEAR(drive.twist().omega, omega, 1e-12);
 }
 
 TEST(DriveModel, WheelsOfTwoSizesGoAsFarAsTheyAreLarge) {
-  // Equal rates, the right radius twice 1.25 / 2.25 of the mean: to the left; and each counts its own turns,
-  // the same.
+  // Equal rates, the right radius twice 1.25 / 2.25 of the mean: to the left; and each counts its own
+  // revolutions, the same.
   Robot robot;
   robot.wheel_radius_ratio = 1.25;
   DriveModel drive({}, robot, {}, Random(1));
@@ -74,7 +74,7 @@ TEST(DriveModel, WheelsOfTwoSizesGoAsFarAsTheyAreLarge) {
   run(drive, 2.0);
   EXPECT_NEAR(drive.twist().omega, 0.5 * (2.5 - 2.0) / 2.25 / robot.wheel_separation, 1e-12);
   // The ramp is 4 m/s^2 of each rim: v^2 / 8 m are lost at 0.4444 and 0.5556 m/s, or v^2 / 8 / radius / 2 pi
-  // turns.
+  // revolutions.
   EXPECT_NEAR(drive.ticks().left - drive.ticks().right, 2578 * 0.00694 / 0.0762 / (2.0 * std::numbers::pi),
               2);
   EXPECT_GT(drive.ticks().left, 4000);
@@ -104,7 +104,7 @@ TEST(DriveModel, CountersWrapAt32Bits) {
 }
 
 TEST(DriveModel, EncodersErrByScaleAndMismatch) {
-  // model/README.md 2.2: the right wheel counts 1 + scale + e / 2, the left 1 + scale - e / 2 of its way.
+  // model/README.md 2.2: the right wheel counts 1 + scale + e / 2, the left 1 + scale - e / 2 of its travel.
   const Robot robot;
   DriveOptions options;
   options.scale = 0.01;

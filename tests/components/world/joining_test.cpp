@@ -120,7 +120,7 @@ TEST(Push, MovesWhoStands) {
   EXPECT_EQ(person(world, 1).velocity, Vector2(0.0, 0.0));
 }
 
-// Along their way: the walk goes on as it was, 1 m/s times 0.5 s further on.
+// Along their path: the walk goes on as it was, 1 m/s times 0.5 s further on.
 TEST(Push, MovesAWalkerAlongTheirWay) {
   WorldOptions options = floor_with_wall();
   options.people.social.walkers = {{-40, 3, 40, 3}};

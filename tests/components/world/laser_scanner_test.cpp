@@ -45,10 +45,10 @@ TEST(LaserScanner, AgreesWithBruteForceInClutter) {
     StaticObstacles shapes;
     std::vector<Disc> movers;
     movers.reserve(10);
-    const auto place = [&] { return Vector2(random.uniform(-12, 12), random.uniform(-12, 12)); };
-    for (int i = 0; i < 25; ++i) shapes.segments.push_back({place(), place()});
-    for (int i = 0; i < 10; ++i) shapes.discs.push_back({place(), random.uniform(0.05, 1.0)});
-    for (int i = 0; i < 10; ++i) movers.push_back({place(), 0.07});
+    const auto position = [&] { return Vector2(random.uniform(-12, 12), random.uniform(-12, 12)); };
+    for (int i = 0; i < 25; ++i) shapes.segments.push_back({position(), position()});
+    for (int i = 0; i < 10; ++i) shapes.discs.push_back({position(), random.uniform(0.05, 1.0)});
+    for (int i = 0; i < 10; ++i) movers.push_back({position(), 0.07});
     OccupancyGrid grid{0.1, {-10.0, -10.0}, 200, 200, std::vector<std::int8_t>(40000, 0)};
     for (int i = 0; i < 100; ++i) grid.cells[random.bits() % 40000] = OccupancyGrid::kOccupied;
     const StaticScene scene(shapes, grid);

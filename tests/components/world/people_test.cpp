@@ -68,7 +68,7 @@ TEST(SocialForce, HeadOnHasItsClosedForm) {
   const double strength = 2.1 * std::exp(-2.0 / 1.75);
   EXPECT_NEAR(on_left.x(), -strength, 1e-12);
   EXPECT_NEAR(on_left.y(), -strength, 1e-12);
-  // The other one meets the same force turned by half a turn: both pass on their right.
+  // The other one meets the same force rotated by half a turn: both pass on their right.
   const Vector2 on_right = social_force(options, {-2.0, 0.0}, {-2.0, 0.0});
   EXPECT_NEAR((on_left + on_right).norm(), 0.0, 1e-12);
 }

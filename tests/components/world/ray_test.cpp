@@ -28,7 +28,7 @@ OccupancyGrid random_grid(Random& random, double solid_share) {
   return grid;
 }
 
-Vector2 random_place(Random& random, const OccupancyGrid& grid) {
+Vector2 random_position(Random& random, const OccupancyGrid& grid) {
   const Vector2 size = grid.resolution * Vector2(grid.width, grid.height);
   return grid.origin + size.cwiseProduct(Vector2(random.uniform(-0.3, 1.3), random.uniform(-0.3, 1.3)));
 }
@@ -98,7 +98,7 @@ TEST(GridScene, RaysAgreeWithBruteForceOnRandomGrids) {
     const OccupancyGrid grid = random_grid(random, random.uniform(0.0, 0.1));
     const GridScene scene(grid);
     for (int ray = 0; ray < 40; ++ray) {
-      const Vector2 origin = random_place(random, grid);
+      const Vector2 origin = random_position(random, grid);
       const Vector2 d = direction(random.uniform(-std::numbers::pi, std::numbers::pi));
       double expected = kNoHit;
       for (int row = 0; row < grid.height; ++row) {
@@ -126,7 +126,7 @@ TEST(GridScene, NearestPointAgreesWithBruteForceOnRandomGrids) {
     const OccupancyGrid grid = random_grid(random, random.uniform(0.0, 0.05));
     const GridScene scene(grid);
     for (int query = 0; query < 40; ++query) {
-      const Vector2 point = random_place(random, grid);
+      const Vector2 point = random_position(random, grid);
       const double limit = random.uniform(0.0, 5.0);
       double expected = kNoHit;
       for (int row = 0; row < grid.height; ++row) {

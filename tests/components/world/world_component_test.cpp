@@ -30,7 +30,7 @@ struct Seen {
   std::vector<bandwagon_msgs::msg::Obstacles> obstacles;
 };
 
-/// Turns both wheels at `rate` [rad/s] and keeps everything the world says.
+/// Rotates both wheels at `rate` [rad/s] and keeps everything the world says.
 class Observer final : public Component {
  public:
   Observer(double rate, Seen& seen) : rate_(rate), seen_(seen) {}

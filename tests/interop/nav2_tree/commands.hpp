@@ -15,7 +15,7 @@ namespace nav2 {
 struct Command {
   double at = 0.0;     ///< [s]
   double speed = 0.0;  ///< [m/s] forward
-  double turning = 0.0;
+  double angular = 0.0;
 };
 
 inline constexpr double kDipWindow = 0.3;  ///< [s] in which a new path would show
@@ -53,7 +53,7 @@ class CommandLog {
       if (!info.valid_data) continue;
       CdrIn in(bytes);
       Command command{.at = journal.now(), .speed = in.number<double>()};
-      for (int i = 0; i < 5; ++i) command.turning = in.number<double>();
+      for (int i = 0; i < 5; ++i) command.angular = in.number<double>();
       commands.push_back(command);
     }
   }

@@ -6,11 +6,11 @@
 namespace nav2 {
 namespace {
 
-constexpr double kStep = 0.05;       // [m] between poses of a path
-constexpr double kLookahead = 0.6;   // [m]
-constexpr double kSpeed = 0.5;       // [m/s]
-constexpr double kTurnMost = 1.0;    // [rad/s]
-constexpr double kTolerance = 0.25;  // [m] Nav2's xy_goal_tolerance
+constexpr double kStep = 0.05;        // [m] between poses of a path
+constexpr double kLookahead = 0.6;    // [m]
+constexpr double kSpeed = 0.5;        // [m/s]
+constexpr double kMaxTurnRate = 1.0;  // [rad/s]
+constexpr double kTolerance = 0.25;   // [m] Nav2's xy_goal_tolerance
 
 plain::ServiceType clear_type() { return {"nav2_msgs/srv/ClearEntireCostmap", "", ""}; }
 
@@ -135,16 +135,17 @@ void ForeignController::control() {
   const double bearing =
       std::remainder(std::atan2(aim.y - pose->y, aim.x - pose->x) - pose->yaw(), 2.0 * M_PI);
   const double speed = std::abs(bearing) > 1.0 ? 0.0 : kSpeed;
-  command(speed, std::clamp(2.0 * std::sin(bearing) * kSpeed / distance(*pose, aim), -kTurnMost, kTurnMost));
+  command(speed,
+          std::clamp(2.0 * std::sin(bearing) * kSpeed / distance(*pose, aim), -kMaxTurnRate, kMaxTurnRate));
   server_.feedback(*goal_, CdrOut()
                                .number(static_cast<float>(distance(*pose, path_.poses.back().pose)))
                                .number(static_cast<float>(speed))
                                .bytes());
 }
 
-void ForeignController::command(double speed, double turning) {
+void ForeignController::command(double speed, double angular) {
   CdrOut out;
-  for (const double value : {speed, 0.0, 0.0, 0.0, 0.0, turning}) out.number(value);
+  for (const double value : {speed, 0.0, 0.0, 0.0, 0.0, angular}) out.number(value);
   Bytes bytes = out.bytes();
   out_->write(&bytes);
 }

@@ -37,7 +37,7 @@ class ForeignController {
   int preemptions() const { return preemptions_; }
 
  private:
-  void command(double speed, double turning);
+  void command(double speed, double angular);
   void finish(plain::GoalStatus status);
 
   Frames& frames_;

@@ -51,30 +51,30 @@ void Frames::take(plain::dds::DataReader& reader, bool is_static) {
   }
 }
 
-std::optional<std::vector<Frames::Link>> Frames::way_up() const {
-  std::vector<Link> way;
-  for (std::string frame = "base_link"; frame != "map"; frame = way.back().parent) {
+std::optional<std::vector<Frames::Link>> Frames::links_up() const {
+  std::vector<Link> links;
+  for (std::string frame = "base_link"; frame != "map"; frame = links.back().parent) {
     const auto found = links_.find(frame);
-    if (found == links_.end() || way.size() == kMaxLinks) return std::nullopt;
-    way.push_back(found->second);
+    if (found == links_.end() || links.size() == kMaxLinks) return std::nullopt;
+    links.push_back(found->second);
   }
-  return way;
+  return links;
 }
 
 std::optional<Pose> Frames::pose() const {
-  const auto way = way_up();
-  if (!way) return std::nullopt;
+  const auto links = links_up();
+  if (!links) return std::nullopt;
   Pose pose;
-  for (const Link& link : *way) pose = link.pose * pose;
+  for (const Link& link : *links) pose = link.pose * pose;
   return pose;
 }
 
 std::optional<double> Frames::age(double now) const {
-  const auto way = way_up();
-  if (!way) return std::nullopt;
+  const auto links = links_up();
+  if (!links) return std::nullopt;
   double oldest = now;
   bool moves = false;
-  for (const Link& link : *way) {
+  for (const Link& link : *links) {
     if (link.is_static) continue;
     oldest = moves ? std::min(oldest, link.stamp) : link.stamp;
     moves = true;

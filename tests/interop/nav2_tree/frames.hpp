@@ -28,7 +28,7 @@ class Frames {
     bool is_static = false;
     Pose pose;
   };
-  std::optional<std::vector<Link>> way_up() const;
+  std::optional<std::vector<Link>> links_up() const;
   void take(plain::dds::DataReader& reader, bool is_static);
 
   plain::dds::DataReader* moving_;

@@ -16,8 +16,9 @@ constexpr double kOtherSides = 0.5;   // what a side adds to the one that says m
 
 void Appearance::add(double score, double bearing) {
   const double p = std::clamp(score, 1.0 - kSurest, kSurest);
-  const double turns = bearing / (2.0 * std::numbers::pi);
-  const auto at = static_cast<std::size_t>((turns - std::floor(turns)) * static_cast<double>(kSides));
+  const double revolutions = bearing / (2.0 * std::numbers::pi);
+  const auto at =
+      static_cast<std::size_t>((revolutions - std::floor(revolutions)) * static_cast<double>(kSides));
   Side& side = sides_[std::min(at, kSides - 1)];
   const float keep = std::min(1.0F, (kRemembered - 1.0F) / std::max(1.0F, side.weight));
   side.sum = keep * side.sum + static_cast<float>(std::log(p / (1.0 - p)));

@@ -66,7 +66,7 @@ struct Existence {
   double alone = 0.0;        ///< log odds of two that stand by how few people are known to walk about
   bool in_place = false;     ///< they seem to walk where things stood all the time
   double taken = 0.0;        ///< log odds of who walked and is seen where something stood before
-  double came = 0.0;         ///< log odds by what was at the place of the legs before
+  double came = 0.0;         ///< log odds by what was at the position of the legs before
   double rigid = 0.0;        ///< log odds of two that stand and never move
   double furnished = 0.0;    ///< how sure it is that furniture like legs stands about, 0 to 1
   double kept = 0.0;         ///< kKept of somebody confirmed
@@ -78,21 +78,23 @@ struct Existence {
 
   /// In a way that furniture does not.
   bool has_moved() const {
-    return prior != kTwoLegs || walked.way >= Walked::kFree || came >= kHasCome || foot_shifts > 0.0;
+    return prior != kTwoLegs || walked.distance >= Walked::kFree || came >= kHasCome || foot_shifts > 0.0;
   }
 
   double log_odds() const {
-    return prior + way_walked() + appearance.log_odds() + looks_of_walker() + foot_shifts + row + clutter +
-           alone + taken + came + rigid + kept;
+    return prior + distance_walked() + appearance.log_odds() + looks_of_walker() + foot_shifts + row +
+           clutter + alone + taken + came + rigid + kept;
   }
   double confidence() const { return 1.0 / (1.0 + std::exp(-log_odds())); }
 
  private:
-  double way_walked() const { return in_place && walked.way < Walked::kFree ? 0.0 : walked.log_odds(); }
+  double distance_walked() const {
+    return in_place && walked.distance < Walked::kFree ? 0.0 : walked.log_odds();
+  }
   double looks_of_walker() const {
     const bool walks = prior == kWalker || prior == kLoneWalker;
-    return walks && walked.way < Walked::kFree ? kLooksOfWalkers * (appearance.log_odds() - kUsualLooks)
-                                               : 0.0;
+    return walks && walked.distance < Walked::kFree ? kLooksOfWalkers * (appearance.log_odds() - kUsualLooks)
+                                                    : 0.0;
   }
 };
 

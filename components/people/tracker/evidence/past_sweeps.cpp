@@ -9,14 +9,14 @@ namespace {
 
 constexpr std::size_t kKept = 150;     // sweeps
 constexpr double kEvery = 0.3;         // [s] between those that are kept, of each sensor
-constexpr double kRadius = 0.08;       // [m] about a place that must be empty: a leg, and what S drifts
+constexpr double kRadius = 0.08;       // [m] about a position that must be empty: a leg, and what S drifts
 constexpr double kMargin = 0.05;       // [m] by which ranges err
 constexpr double kNearestSeen = 0.3;   // [m] from the sensor
 constexpr double kSpacing = 0.04;      // [m] between beams there, at most
 constexpr int kEnough = 2;             // sweeps
 constexpr double kAgo = 2.0;           // [s] since something stood there that is not what stands there now
 constexpr double kAgeRounding = 1e-6;  // [s]
-constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 }  // namespace
 
@@ -41,17 +41,17 @@ void PastSweeps::add(const DetectionSet& sweep, double now) {
   kept.ranges.assign(sweep.free_ranges.begin(), sweep.free_ranges.end());
 }
 
-PastSweeps::Past PastSweeps::view_of(const Sweep& sweep, const Vector2& place) {
-  const Vector2 way = place - sweep.sensor;
-  const double distance = way.norm();
+PastSweeps::Past PastSweeps::view_of(const Sweep& sweep, const Vector2& position) {
+  const Vector2 offset = position - sweep.sensor;
+  const double distance = offset.norm();
   const double step = std::abs(sweep.angle_increment);
   if (!(distance >= kNearestSeen && distance * step <= kSpacing)) return Past::unknown;
-  double turn = std::atan2(way.y(), way.x()) - sweep.angle_min;
-  if (sweep.angle_increment < 0.0) turn = -turn;
-  turn -= kTurn * std::floor(turn / kTurn);
+  double angle = std::atan2(offset.y(), offset.x()) - sweep.angle_min;
+  if (sweep.angle_increment < 0.0) angle = -angle;
+  angle -= kTwoPi * std::floor(angle / kTwoPi);
   const double half = std::asin(kRadius / distance);
-  const double first = std::ceil((turn - half) / step);
-  const double last = std::floor((turn + half) / step);
+  const double first = std::ceil((angle - half) / step);
+  const double last = std::floor((angle + half) / step);
   if (!(first >= 0.0 && last < static_cast<double>(sweep.ranges.size()) && last > first))
     return Past::unknown;
   const auto before = static_cast<float>(distance - kRadius - kMargin);
@@ -65,7 +65,7 @@ PastSweeps::Past PastSweeps::view_of(const Sweep& sweep, const Vector2& place) {
   return hidden ? Past::unknown : Past::empty;
 }
 
-PastSweeps::Past PastSweeps::at(const Vector2& place, double now) const {
+PastSweeps::Past PastSweeps::at(const Vector2& position, double now) const {
   int empty = 0;
   int occupied = 0;
   int before = 0;
@@ -73,7 +73,7 @@ PastSweeps::Past PastSweeps::at(const Vector2& place, double now) const {
   for (std::size_t k = 0; k < sweeps_.size(); ++k) {
     const Sweep& sweep = sweeps_[(next_ + k) % sweeps_.size()];
     if (sweep.time < 0.0) continue;
-    const Past view = view_of(sweep, place);
+    const Past view = view_of(sweep, position);
     if (view == Past::empty && ++empty >= kEnough) {
       was_empty = true;
       before = occupied;

@@ -20,9 +20,9 @@ class PastSweeps {
   /// One sweep in S at `now` [s, from the tracker's own origin].
   void add(const DetectionSet& sweep, double now);
 
-  /// What was at `place`. Only beams tell that would have shown something as thin as a leg; who has come
+  /// What was at `position`. Only beams tell that would have shown something as thin as a leg; who has come
   /// within 2 s leaves it unknown or empty.
-  Past at(const Vector2& place, double now) const;
+  Past at(const Vector2& position, double now) const;
 
   void reset();
 
@@ -35,7 +35,7 @@ class PastSweeps {
     double angle_increment = 0.0;
     std::vector<float> ranges;
   };
-  static Past view_of(const Sweep& sweep, const Vector2& place);
+  static Past view_of(const Sweep& sweep, const Vector2& position);
 
   std::vector<Sweep> sweeps_;  ///< a ring
   std::size_t next_ = 0;

@@ -9,13 +9,13 @@ namespace {
 constexpr double kNearest = 0.28;  // [m] legs of somebody who stands are closer
 constexpr double kFarthest = 1.7;  // [m] longest side of a table
 constexpr double kSquare = 0.09;   // cosine of a corner, at most
-constexpr double kAlike = 0.05;    // [m] by which places and widths of furniture agree
+constexpr double kAlike = 0.05;    // [m] by which positions and widths of furniture agree
 
 bool alike(const Post& a, const Post& b) { return std::abs(a.width - b.width) <= kAlike; }
 
-bool any_at(const Vector2& place, const Post& like, std::span<const Post> posts) {
+bool any_at(const Vector2& position, const Post& like, std::span<const Post> posts) {
   return std::ranges::any_of(
-      posts, [&](const Post& p) { return (p.position - place).norm() <= kAlike && alike(p, like); });
+      posts, [&](const Post& p) { return (p.position - position).norm() <= kAlike && alike(p, like); });
 }
 
 }  // namespace

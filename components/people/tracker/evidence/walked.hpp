@@ -14,9 +14,9 @@ struct Walked {
   static constexpr double kMax = 7.0;
   static constexpr double kFree = 1.0;  ///< [m] who has walked so far has no legs of furniture
 
-  double way = 0.0;  ///< [m]
+  double distance = 0.0;  ///< [m]
 
-  double log_odds() const { return std::clamp(kPerMetre * (way - kSlip), 0.0, kMax); }
+  double log_odds() const { return std::clamp(kPerMetre * (distance - kSlip), 0.0, kMax); }
 };
 
 }  // namespace bw::people

@@ -233,20 +233,20 @@ TEST(Possible, WhatIsFoundKeepsLimitsAndDistance) {
   EXPECT_GE(found, 3);
 }
 
-// The same scene turned and moved has the same verdict.
+// The same scene rotated and moved has the same verdict.
 TEST(Possible, TurnedAndMovedScenesHaveTheSameVerdict) {
   const Pose2 X{12.3, -4.5, 2.1};
   SearchScene scene;
   scene.walks.push_back(walker({3.0, 0.0}, {0.0, 0.0}));
   add_wall(scene, -0.4);
   add_wall(scene, 0.4);
-  SearchScene turned = scene;
-  for (Walk& walk : turned.walks)
-    for (TimedPlace& place : walk.places) place.position = X * place.position;
-  for (Segment& wall : turned.shapes.segments) wall = {X * wall.a, X * wall.b};
+  SearchScene rotated = scene;
+  for (Walk& walk : rotated.walks)
+    for (TimedPosition& timed : walk.positions) timed.position = X * timed.position;
+  for (Segment& wall : rotated.shapes.segments) wall = {X * wall.a, X * wall.b};
   std::vector<MotionState> drive = straight(1.0, 2.4);
   for (MotionState& state : drive) state.pose = X * state.pose;
-  const ContactVerdict verdict = judge(turned, drive, 2.4, 1.0);
+  const ContactVerdict verdict = judge(rotated, drive, 2.4, 1.0);
   EXPECT_EQ(verdict.avoidance, Avoidance::avoidable);
   EXPECT_NEAR(verdict.saveable_until.value_or(0.0), 1.8, 0.101);
   EXPECT_NEAR(verdict.lost_since.value_or(0.0), 2.0, 0.101);

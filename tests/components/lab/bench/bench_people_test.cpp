@@ -147,12 +147,12 @@ class Labels {
   std::filesystem::path path_;
 };
 
-std::vector<Vector2> places(const PeopleRun& run) {
-  std::vector<Vector2> places;
+std::vector<Vector2> positions(const PeopleRun& run) {
+  std::vector<Vector2> positions;
   for (const auto& sweep : run.sweeps) {
-    for (const TrackedPerson& track : sweep.people) places.push_back(track.position);
+    for (const TrackedPerson& track : sweep.people) positions.push_back(track.position);
   }
-  return places;
+  return positions;
 }
 
 // The tracks are those that the component published when it drove: to the bit, sweep by sweep.
@@ -194,7 +194,7 @@ TEST(BenchPeople, ScoresByTheTruthOfTheWorld) {
 
   const PeopleRun unscored = run_people(*room_bag(), {.bag = "room", .with_truth = false});
   EXPECT_TRUE(unscored.stretches.empty());
-  EXPECT_EQ(places(unscored), places(run));
+  EXPECT_EQ(positions(unscored), positions(run));
 }
 
 TEST(BenchPeople, SameBagSameBytes) {
@@ -223,7 +223,7 @@ TEST(BenchPeople, TakesTransformsForOdometry) {
 TEST(BenchPeople, ListensToTheOnlyScannerOrTheOneThatIsNamed) {
   const std::map<std::string, std::string> renamed{{"/scan", "/front/scan"}, {"/odom", "/wheels/odom"}};
   const PeopleRun run = run_people(*room_bag({}, renamed), {.bag = "room"});
-  EXPECT_EQ(places(run), places(run_people(*room_bag(), {.bag = "room"})));
+  EXPECT_EQ(positions(run), positions(run_people(*room_bag(), {.bag = "room"})));
   EXPECT_EQ(
       said_by([&] { run_people(*room_bag({}, renamed), {.bag = "room", .scan = "/rear/scan"}); }),
       "--scan /rear/scan: no such topic of type sensor_msgs/msg/LaserScan in the bag, which has /front/scan");
@@ -240,7 +240,7 @@ TEST(BenchPeople, TakesParametersAsTheGraphDoes) {
 }
 
 TEST(BenchPeople, SeesLabelsFromTheirFrames) {
-  // The scanner stands still in its own frame: half a metre before it, and in odom the same place.
+  // The scanner stands still in its own frame: half a metre before it, and in odom the same position.
   const Labels good("time,id,x,y,frame\n1.0,1,0.5,0,laser\n1.0,2,1,1,base_link\n2.0,3,0,0,odom\n");
   const PeopleRun run = run_people(*room_bag(), {.bag = "room", .labels = {good.path()}});
   EXPECT_FALSE(run.is_truth);
@@ -263,19 +263,19 @@ TEST(BenchPeople, SeesLabelsFromTheirFrames) {
 
 // The figures of the README of the bench. Labels: three people every 0.5 s, each put between the legs that
 // the points in front of the static background (80 % quantile of each beam) show; where one leg or none is
-// seen, between neighbours in time. Good to 0.2 m. visible = 0: hidden by somebody else, place guessed, not
-// counted. Rows of a person begin with their first point.
+// seen, between neighbours in time. Good to 0.2 m. visible = 0: hidden by somebody else, position guessed,
+// not counted. Rows of a person begin with their first point.
 //
 //   people_laser_stationary_labels_97.csv  97.5 to 105 s. Labelled before any track was looked at, then in
 //   view while
 //       parameters were chosen: no figure of unseen data.
 //   people_laser_stationary_labels_33.csv  33 to 53 s: the 20 s from a whole second on, apart from the
 //   stretch above,
-//       with most points 0.15 m or more in front of the background. All 123 places count, also three without
-//       a single point (33.49 s person 3; 49.54 s and 50.04 s person 2).
+//       with most points 0.15 m or more in front of the background. All 123 positions count, also three
+//       without a single point (33.49 s person 3; 49.54 s and 50.04 s person 2).
 //   people_laser_stationary_labels_0.csv   0 to 20 s: the 20 s with fewest such points, apart from both. One stands with
 //       one leg of three or four points in view until 6.5 s, one comes in at 6.7 s, one is hidden at 10.47 s;
-//       108 places count, two of them without a point (6.98 s and 18.04 s person 3).
+//       108 positions count, two of them without a point (6.98 s and 18.04 s person 3).
 //
 // The last two were labelled and committed before any track on them was looked at, when the parameters stood;
 // only the number and length of the tracks in the whole log were known. The sparse one was added when the
@@ -302,7 +302,7 @@ TEST(RecordedPeople, AreFollowed) {
     EXPECT_GT(stretch.score.clear_mot.mota(), 0.332) << stretch.name;
     EXPECT_LE(stretch.score.clear_mot.motp(), 0.10) << stretch.name;  // asked for in simulation
   }
-  // A recording is always the same; one place more or less is what another CPU may do.
+  // A recording is always the same; one position more or less is what another CPU may do.
   const auto expect_mota = [&](const char* what, std::size_t i, double asked, double measured) {
     const auto& mot = run.stretches[i].score.clear_mot;
     test::expect_at_least(what, {asked, measured, 1.0 / static_cast<double>(mot.people)}, mot.mota());

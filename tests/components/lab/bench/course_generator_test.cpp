@@ -20,7 +20,7 @@ CourseWorld world_of(const std::filesystem::path& file) {
   return world;
 }
 
-// An empty field: two side walls of 0.15 m cells, 30 + 30 of 900 cells filled, the way 10 m straight on;
+// An empty field: two side walls of 0.15 m cells, 30 + 30 of 900 cells filled, the path 10 m straight on;
 // 2.175 m to the middle of either wall, less a cylinder's radius.
 TEST(CourseMeasures, OfAnEmptyFieldAreThoseOfItsWalls) {
   CourseWorld world;
@@ -30,12 +30,12 @@ TEST(CourseMeasures, OfAnEmptyFieldAreThoseOfItsWalls) {
   }
   const CourseMeasures m = measure(world);
   EXPECT_DOUBLE_EQ(m.filled, 60.0 / 900.0);
-  EXPECT_NEAR(m.way, 10.0, 1e-9);
+  EXPECT_NEAR(m.path_length, 10.0, 1e-9);
   EXPECT_NEAR(m.narrowest, 2.1, 0.01);
-  // Closed off by a wall: no way.
+  // Closed off by a wall: no path.
   for (int across = 0; across < kCourseSide; ++across)
     world.posts.push_back({course_cell(15, across), kCoursePost});
-  EXPECT_EQ(measure(world).way, 0.0);
+  EXPECT_EQ(measure(world).path_length, 0.0);
   EXPECT_NEAR(measure(world).narrowest, 0.0, 1e-6);  // where two cylinders touch
 }
 

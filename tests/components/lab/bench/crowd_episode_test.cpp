@@ -126,9 +126,9 @@ ClosedLoop rule_of(WalkersManner walkers) {
 std::vector<Vector2> after_ten_seconds(const Scene& scene, WalkersManner walkers, const Vector2& robot) {
   CrowdPeople people(scene, rule_of(walkers));
   for (int i = 1; i <= 500; ++i) people.move_to(0.02 * i, {robot.x(), robot.y(), 0.0}, {});
-  std::vector<Vector2> places;
-  for (std::size_t i = 0; i < scene.obstacles.size(); ++i) places.push_back(people.position(i));
-  return places;
+  std::vector<Vector2> positions;
+  for (std::size_t i = 0; i < scene.obstacles.size(); ++i) positions.push_back(people.position(i));
+  return positions;
 }
 
 // Who goes straight on is where the formula says and sees no robot; who reacts walks otherwise beside another
@@ -179,8 +179,8 @@ TEST(CrowdEpisode, KeepsTheWalksOfWhoReacts) {
   file.closed_loop->walkers = WalkersManner::orca;
   const CrowdEpisode episode = drive_crowd(scene, file, planner, no_time);
   ASSERT_EQ(episode.walks.size(), 34U);
-  EXPECT_EQ(episode.walks[0].places.front().position, scene.obstacles[6].position);
-  EXPECT_NEAR(episode.walks[0].places.back().time, 5.0, 1e-9);
+  EXPECT_EQ(episode.walks[0].positions.front().position, scene.obstacles[6].position);
+  EXPECT_NEAR(episode.walks[0].positions.back().time, 5.0, 1e-9);
   const RunRecording recording = record_crowd(scene, file, planner);
   ASSERT_EQ(recording.moments.size(), 50U);
   EXPECT_EQ(recording.shapes.discs.size(), 6U);

@@ -63,8 +63,8 @@ TEST(CrowdGenerator, SpeedsAndHeadingsAreUniform) {
       if (!o.moves()) continue;
       ++walkers;
       speed += o.velocity.norm();
-      const double turns = std::atan2(o.velocity.y(), o.velocity.x()) / (2.0 * std::numbers::pi);
-      ++eighths[static_cast<int>(std::floor(8.0 * turns))];
+      const double revolutions = std::atan2(o.velocity.y(), o.velocity.x()) / (2.0 * std::numbers::pi);
+      ++eighths[static_cast<int>(std::floor(8.0 * revolutions))];
     }
   }
   EXPECT_EQ(walkers, 3000);

@@ -21,12 +21,12 @@ TEST(CrowdNavScene, DrawsAsNumPyDoes) { EXPECT_DOUBLE_EQ(CrowdNavRandom(0).unifo
 TEST(CrowdNavScene, KeepsTheRulesOfTheCircle) {
   for (int i = 0; i < kCrowdNavCases; ++i) {
     const CrowdNavScene scene = crowdnav_scene(kCircle, i);
-    std::vector<Vector2> places{scene.start.position(), scene.goal};
+    std::vector<Vector2> positions{scene.start.position(), scene.goal};
     for (const CrowdNavPerson& p : scene.people) {
       EXPECT_EQ(p.goal, -p.start);
       EXPECT_LE(std::abs(p.start.norm() - 4.0), std::sqrt(0.5)) << "4 m, and up to half a metre in x and y";
-      for (const Vector2& place : places) EXPECT_GE((p.start - place).norm(), 0.8) << scene.name;
-      places.insert(places.end(), {p.start, p.goal});
+      for (const Vector2& position : positions) EXPECT_GE((p.start - position).norm(), 0.8) << scene.name;
+      positions.insert(positions.end(), {p.start, p.goal});
     }
   }
 }

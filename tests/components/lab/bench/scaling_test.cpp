@@ -1,4 +1,4 @@
-// What stands along the way must not make a plan worse, however much of it there is.
+// What stands along the path must not make a plan worse, however much of it there is.
 #include "components/lab/bench/scaling.hpp"
 
 #include <cstdlib>

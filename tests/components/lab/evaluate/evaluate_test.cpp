@@ -182,10 +182,10 @@ TEST(Evaluate, PairsConditionsAndDepartures) {
 class EndedEvaluation : public ::testing::TestWithParam<int> {};
 
 TEST_P(EndedEvaluation, LeavesAFileThatSaysItIsIncomplete) {
-  auto place = std::filesystem::path(testing::TempDir()) / ("bandwagon_ended_" + std::to_string(GetParam()));
-  std::filesystem::create_directories(place);
-  const std::string suite = (place / "short.yaml").string();
-  const std::string file = (place / "out.json").string();
+  auto folder = std::filesystem::path(testing::TempDir()) / ("bandwagon_ended_" + std::to_string(GetParam()));
+  std::filesystem::create_directories(folder);
+  const std::string suite = (folder / "short.yaml").string();
+  const std::string file = (folder / "out.json").string();
   std::ofstream(suite) << "graph: " << BANDWAGON_SOURCE_DIR
                        << "/config/graphs/hallway.yaml\n"
                           "time_limit: 5.0\nseeds: {first: 1, last: 20}\nepisodes: [{name: short}]\n";

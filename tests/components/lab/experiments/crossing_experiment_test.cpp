@@ -43,10 +43,11 @@ TEST(Passing, ObliqueWalkersAndTurnedScenesAgree) {
   EXPECT_EQ(passing(straight(1.0, 0.0, 10.0), {{2.0, -2.0}, {c, c}}), Passing::behind);
   EXPECT_EQ(passing(straight(1.6, 0.0, 10.0), {{2.0, -2.0}, {c, c}}), Passing::in_front);
   for (const double angle : {0.3, 1.7, -2.5}) {
-    const Eigen::Rotation2Dd turn(angle);
+    const Eigen::Rotation2Dd rotation(angle);
     std::vector<TimedPosition> path = straight(1.0, 0.0, 10.0);
-    for (TimedPosition& p : path) p.position = turn * p.position;
-    EXPECT_EQ(passing(path, {turn * Vector2(2.0, -2.0), turn * Vector2(c, c)}), Passing::behind) << angle;
+    for (TimedPosition& p : path) p.position = rotation * p.position;
+    EXPECT_EQ(passing(path, {rotation * Vector2(2.0, -2.0), rotation * Vector2(c, c)}), Passing::behind)
+        << angle;
   }
 }
 

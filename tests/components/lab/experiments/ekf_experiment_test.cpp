@@ -9,9 +9,9 @@ namespace {
 
 constexpr int kSeeds = 100;  // as in experiments/protocols.md 8.1
 
-EkfErrors mean_of(EkfWay way, const EkfSensorSet& sensors, EkfWheelNoise noise) {
+EkfErrors mean_of(EkfPath path, const EkfSensorSet& sensors, EkfWheelNoise noise) {
   EkfErrors mean;
-  for (const EkfErrors& e : run_ekf_experiments(way, sensors, noise, kSeeds)) {
+  for (const EkfErrors& e : run_ekf_experiments(path, sensors, noise, kSeeds)) {
     mean.mean += e.mean / kSeeds;
     mean.variance += e.variance / kSeeds;
     mean.rms += e.rms / kSeeds;
@@ -19,22 +19,22 @@ EkfErrors mean_of(EkfWay way, const EkfSensorSet& sensors, EkfWheelNoise noise) 
   return mean;
 }
 
-class EkfExperiment : public ::testing::TestWithParam<EkfWay> {};
+class EkfExperiment : public ::testing::TestWithParam<EkfPath> {};
 
 // The criteria of experiments/protocols.md 8.1: (a) encoder >> + GPS > all, + compass > all, encoder / all >
 // 100; (b) the mean within 25 % of the published one; (c) the fused variances within a factor of 3. Filter
 // with the placing wheel noise.
 TEST_P(EkfExperiment, MeetsTheCriteriaOfTheFigure) {
-  const auto way = static_cast<std::size_t>(GetParam());
+  const auto path = static_cast<std::size_t>(GetParam());
   std::array<EkfErrors, 4> measured;
   for (std::size_t i = 0; i < 4; ++i) {
     const EkfSensorSet& set = kEkfSensorSets[i];
     measured[i] = mean_of(GetParam(), set, EkfWheelNoise::placed);
     RecordProperty("placed_" + std::to_string(i), std::to_string(measured[i].mean));
-    EXPECT_NEAR(measured[i].mean, set.published_mean[way], 0.25 * set.published_mean[way]) << set.name;
+    EXPECT_NEAR(measured[i].mean, set.published_mean[path], 0.25 * set.published_mean[path]) << set.name;
     if (i == 0) continue;  // the published variance of the encoders is unexplained (ekf/theory.md 3.1)
-    EXPECT_LT(measured[i].variance, 3.0 * set.published_variance[way]) << set.name;
-    EXPECT_GT(measured[i].variance, set.published_variance[way] / 3.0) << set.name;
+    EXPECT_LT(measured[i].variance, 3.0 * set.published_variance[path]) << set.name;
+    EXPECT_GT(measured[i].variance, set.published_variance[path] / 3.0) << set.name;
   }
   EXPECT_GT(measured[0].mean, 100.0 * measured[3].mean);
   EXPECT_GT(measured[1].mean, measured[3].mean);
@@ -51,11 +51,11 @@ TEST_P(EkfExperiment, TheMatchedFilterIsBetter) {
   EXPECT_LT(matched.mean, 0.7 * placed.mean);
 }
 
-INSTANTIATE_TEST_SUITE_P(Ways, EkfExperiment, ::testing::Values(EkfWay::sinus, EkfWay::circle));
+INSTANTIATE_TEST_SUITE_P(Paths, EkfExperiment, ::testing::Values(EkfPath::sinus, EkfPath::circle));
 
 TEST(EkfExperimentRun, SameSeedSameErrors) {
-  const EkfErrors a = run_ekf_experiment(EkfWay::sinus, kEkfSensorSets[3], EkfWheelNoise::placed, 7);
-  const EkfErrors b = run_ekf_experiment(EkfWay::sinus, kEkfSensorSets[3], EkfWheelNoise::placed, 7);
+  const EkfErrors a = run_ekf_experiment(EkfPath::sinus, kEkfSensorSets[3], EkfWheelNoise::placed, 7);
+  const EkfErrors b = run_ekf_experiment(EkfPath::sinus, kEkfSensorSets[3], EkfWheelNoise::placed, 7);
   EXPECT_EQ(a.mean, b.mean);
   EXPECT_EQ(a.variance, b.variance);
 }

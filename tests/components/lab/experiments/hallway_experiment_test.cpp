@@ -117,7 +117,7 @@ TEST(AnticipationReport, PageAndJsonHoldWhatWasMeasured) {
   EXPECT_EQ(json["hallway"]["drives"].size(), 4u);
   const auto page = [&] { return anticipation_page(results).json().dump(); };
   EXPECT_NE(page().find("pteb, published"), std::string::npos);
-  // Snapshots of planners with several bands at two times, the whole ways, the largest index in light and
+  // Snapshots of planners with several bands at two times, the whole paths, the largest index in light and
   // full.
   std::vector<std::size_t> pictures;
   const nlohmann::ordered_json blocks = anticipation_page(results).json()["blocks"];

@@ -77,9 +77,9 @@ TEST(NavigationPage, SaysThatNothingIsPublishedAndLinksDrivesThatFailed) {
   NavigationResults spoilt = results();
   spoilt.drives[0] = navigation_drive(0, "light", 1, card(false, 0));
   spoilt.drives[0].page = "failed/Eddie_edwa_seed_1.html";
-  report::Figure way{.title = "the way"};
-  way.add(report::floor_plan("map"));
-  const std::string page = navigation_page(spoilt, {way}).json().dump();
+  report::Figure path{.title = "the way"};
+  path.add(report::floor_plan("map"));
+  const std::string page = navigation_page(spoilt, {path}).json().dump();
   EXPECT_THAT(page, HasSubstr("no number is published"));
   EXPECT_THAT(page, HasSubstr("1 of 2"));
   EXPECT_THAT(page, HasSubstr("](failed/Eddie_edwa_seed_1.html)"));

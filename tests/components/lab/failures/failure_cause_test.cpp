@@ -9,14 +9,16 @@
 namespace bw {
 namespace {
 
-/// 20 s at `speed` along x, looked at ten times a second; person 4 where `place` says, from `appears` on.
-RunRecording straight_drive(double speed, const std::function<Vector2(double)>& place, double appears = 0.0) {
+/// 20 s at `speed` along x, looked at ten times a second; person 4 where `position_at` says, from `appears`
+/// on.
+RunRecording straight_drive(double speed, const std::function<Vector2(double)>& position_at,
+                            double appears = 0.0) {
   RunRecording drive;
   drive.robot = Footprint{0.3, {}};
   for (int i = 0; i <= 200; ++i) {
     const double t = 0.1 * i;
     RecordedMoment moment{.time = t, .X_MB = {speed * t, 0.0, 0.0}};
-    if (place && t >= appears - 1e-9) moment.people.push_back({4, place(t), {0.0, 0.0}, 0.3});
+    if (position_at && t >= appears - 1e-9) moment.people.push_back({4, position_at(t), {0.0, 0.0}, 0.3});
     drive.moments.push_back(std::move(moment));
   }
   return drive;
@@ -32,18 +34,18 @@ ContactRecord contact(double time, WhoHit who) {
 
 Vector2 straight(double t) { return {10.0 - t, 0.0}; }
 /// To the left from 9 s on.
-Vector2 turning(double t) { return t < 9.0 ? straight(t) : Vector2(1.0, t - 9.0); }
+Vector2 around_a_corner(double t) { return t < 9.0 ? straight(t) : Vector2(1.0, t - 9.0); }
 
 // Straight on from 8 s on they would be at (0, 0) after 10 s, and are at (1, 1).
 TEST(FailureCause, WhoTurnedIsTheCauseUnlessTheRobotClosedIn) {
-  const FoundCause turned =
-      cause_of(straight_drive(0.0, turning), contact(10.0, WhoHit::robot_standing), true);
-  EXPECT_EQ(turned.cause, FailureCause::turning_walker);
-  EXPECT_NEAR(*turned.off_course, std::sqrt(2.0), 1e-9);
-  EXPECT_EQ(cause_of(straight_drive(0.0, turning), contact(10.0, WhoHit::robot_closing), true).cause,
+  const FoundCause found =
+      cause_of(straight_drive(0.0, around_a_corner), contact(10.0, WhoHit::robot_standing), true);
+  EXPECT_EQ(found.cause, FailureCause::turning_walker);
+  EXPECT_NEAR(*found.off_course, std::sqrt(2.0), 1e-9);
+  EXPECT_EQ(cause_of(straight_drive(0.0, around_a_corner), contact(10.0, WhoHit::robot_closing), true).cause,
             FailureCause::robot_closing);
   // 0.2 s after the turn: 0.28 m, less than their radius.
-  EXPECT_EQ(cause_of(straight_drive(0.0, turning), contact(9.2, WhoHit::person_side), true).cause,
+  EXPECT_EQ(cause_of(straight_drive(0.0, around_a_corner), contact(9.2, WhoHit::person_side), true).cause,
             FailureCause::from_side);
 }
 
@@ -74,7 +76,7 @@ TEST(FailureCause, RecordingsThatBeginOrEndInMidFloorStandApart) {
 TEST(FailureCause, WhoCameLaterIsHeldAgainstTheirFirstSteps) {
   ContactRecord record = contact(10.0, WhoHit::person_side);
   record.there_since = 8.35;
-  const FoundCause found = cause_of(straight_drive(0.0, turning, 8.4), record, true);
+  const FoundCause found = cause_of(straight_drive(0.0, around_a_corner, 8.4), record, true);
   EXPECT_EQ(found.cause, FailureCause::turning_walker);
   EXPECT_NEAR(*found.off_course, std::sqrt(2.0), 1e-9);
 }

@@ -54,20 +54,20 @@ const report::Mark* mark(const report::Chart& chart, const std::string& label) {
   return found == chart.marks.end() ? nullptr : &*found;
 }
 
-// Of the robot's way 5.5 to 8 s stand out (a second before the motion that is known); the motion is 6.5 s of
+// Of the robot's path 5.5 to 8 s stand out (a second before the motion that is known); the motion is 6.5 s of
 // 0.25 m/s long; the person's last 4 s are 4 m.
 TEST(FailureChart, HasTheWaysInMetres) {
   const report::Chart chart = failure_chart(recording(), contact());
   EXPECT_TRUE(chart.is_floor);
   const std::vector<Vector2> robot = line(chart, "robot, a dot each second");
-  const std::vector<Vector2> way_out = line(chart, "a motion without contact");
+  const std::vector<Vector2> escape = line(chart, "a motion without contact");
   const std::vector<Vector2> person = line(chart, "who is touched");
   ASSERT_GE(robot.size(), 2U);
-  ASSERT_EQ(way_out.size(), 131U);
+  ASSERT_EQ(escape.size(), 131U);
   ASSERT_EQ(person.size(), 41U);
   EXPECT_NEAR((robot.back() - robot.front()).norm(),
               kSpeed * (kContact - std::min(kContact - 4.0, 6.5 - 1.0)), 0.01);
-  EXPECT_NEAR((way_out.back() - way_out.front()).norm(), 0.25 * 6.5, 0.01);
+  EXPECT_NEAR((escape.back() - escape.front()).norm(), 0.25 * 6.5, 0.01);
   EXPECT_NEAR((person.back() - person.front()).norm(), 4.0, 0.01);
   // The contact lies on the robot's rim towards the person: 0.3 m beyond its centre.
   const report::Mark* touch = mark(chart, "contact 8.00 s");

@@ -28,7 +28,7 @@ bool number_at(const std::string& text, std::size_t at, double& value, std::size
   return true;
 }
 
-/// Empty where both are alike; else the first place that is not.
+/// Empty where both are alike; else the first position that is not.
 std::string difference(const std::string& drawn, const std::string& kept) {
   std::size_t a = 0, b = 0;
   while (a < drawn.size() && b < kept.size()) {

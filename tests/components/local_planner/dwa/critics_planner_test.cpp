@@ -111,7 +111,7 @@ TEST(CriticsPlanner, TurnsOnTheSpotWhenThePlanLeadsBack) {
 
 TEST(CriticsPlanner, TurnsRoundWhereABoxIsTooLongToTurnToTheNearSide) {
   // Along a wall 0.22 m to its left, the plan back past the wall's end on that side: a box of 0.5 x 0.4 m
-  // cannot turn left.
+  // cannot rotate left.
   PlanningProblem problem = problem_to({-3, 0, 3.1});
   problem.footprint = box();
   problem.plan = {{0, 0, 0}, {-1, 0.05, 0}, {-3, 0, 3.1}};

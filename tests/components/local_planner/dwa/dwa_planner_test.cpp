@@ -112,8 +112,8 @@ TEST(DwaPlanner, BrakesOverTheDistanceThatTheDecelerationNeeds) {
 }
 
 TEST(DwaPlanner, TurnRateMayBeMadeAdmissibleToo) {
-  // Contact after s_c on an arc leaves s_c |w| / v of turn: |w| <= 2 alpha s_c / v. With alpha 0.05 rad/s^2,
-  // v 0.7, s_c about 0.4 m: |w| <= 0.057.
+  // Contact after s_c on an arc leaves s_c |w| / v of rotation: |w| <= 2 alpha s_c / v. With alpha 0.05
+  // rad/s^2, v 0.7, s_c about 0.4 m: |w| <= 0.057.
   PlanningProblem problem = problem_to({8, 0, 0});
   problem.limits.alpha_max = 0.05;
   problem.command_lead = 0.2;
@@ -162,7 +162,7 @@ TEST(DwaPlanner, LeavesTheContactMarginOnlyIfAllowed) {
 TEST(DwaPlanner, FollowsAPlanAroundAnObstacleAndStopsWithoutOne) {
   PlanningProblem problem = problem_to({8, 0, 0});
   problem.obstacles.discs = {{{3.0, 0.15}, 0.3}};
-  // The weights of Table 3.1 never leave the way to the goal: the robot stops at the contact margin, 0.1 m.
+  // The weights of Table 3.1 never leave the path to the goal: the robot stops at the contact margin, 0.1 m.
   DwaPlanner straight({}, {});
   const Drive stopped_before = drive(straight, problem, 300);
   EXPECT_EQ(stopped_before.twists.back(), Twist2{});
@@ -180,7 +180,7 @@ TEST(DwaPlanner, FollowsAPlanAroundAnObstacleAndStopsWithoutOne) {
 }
 
 TEST(DwaPlanner, FrozenMoversAreWhereTheyAre) {
-  // Somebody walks away along the robot's way at 1 m/s, gap 2.4 m. Seen as standing, the gap of 3 s of
+  // Somebody walks away along the robot's path at 1 m/s, gap 2.4 m. Seen as standing, the gap of 3 s of
   // driving is the larger the slower the robot is; predicted, it is what it is now for every speed.
   PlanningProblem problem = problem_to({8, 0, 0});
   problem.twist = {0.5, 0.0};

@@ -67,7 +67,7 @@ TEST(Edwa, WithTheGoalAsHeadingAndTheHighestSpeedIsDwa) {
 }
 
 TEST(Edwa, WithoutNeighboursHeadsForTheGoal) {
-  // HRVO is then the straight way: a goal at 0.2 rad asks for w = 0.2 after 1 s; 0.15 is what is reached.
+  // HRVO is then the straight path: a goal at 0.2 rad asks for w = 0.2 after 1 s; 0.15 is what is reached.
   PlanningProblem problem = problem_to({10.0 * std::cos(0.2), 10.0 * std::sin(0.2), 0});
   problem.twist = {0.8, 0.0};
   DwaPlanner planner = edwa_with(EdwaHeading::hrvo);

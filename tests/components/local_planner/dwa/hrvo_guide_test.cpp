@@ -37,8 +37,8 @@ TEST(SomebodyWithin, IsNobodyWhoIsNotConfirmed) {
 }
 
 TEST(HrvoGuide, CostsWhatASampleDiffersFromTheAdvice) {
-  // HRVO says 0.5 m/s to the left by 0.4 rad. Turning at 0.1 rad/s for 1 s leaves 0.3 rad; 0.8 m/s is 0.3 m/s
-  // too fast.
+  // HRVO says 0.5 m/s to the left by 0.4 rad. Rotating at 0.1 rad/s for 1 s leaves 0.3 rad; 0.8 m/s is 0.3
+  // m/s too fast.
   hrvo::Advice advice;
   advice.velocity = 0.5 * direction(0.4);
   EdwaOptions options;

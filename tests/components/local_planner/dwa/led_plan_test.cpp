@@ -27,7 +27,7 @@ TEST(LedPlan, IsThePlanWhereThatIsFree) {
 
 TEST(LedPlan, LeadsAroundADiscOnTheShorterSide) {
   // Rim to robot: 0.3 + 0.3 + 0.05 m from the middle of the disc, and 0.15 m more where that costs less than
-  // twice the way. The shortest way around a circle of r = 0.8 m, 0.15 m off the middle, over 4 m is some
+  // twice the length. The shortest path around a circle of r = 0.8 m, 0.15 m off the middle, over 4 m is some
   // 0.35 m longer.
   PlanningProblem problem = problem_to({8, 0, 0});
   const Vector2 disc(2.0, 0.15);

@@ -19,7 +19,7 @@ Footprint long_box() {
   return {std::hypot(0.25, 0.2), {{0.25, 0.2}, {-0.25, 0.2}, {-0.25, -0.2}, {0.25, -0.2}}};
 }
 
-RollOutRules rules() { return {.horizon = 2.0, .way = 100.0, .margin = 0.0, .reach = 0.5}; }
+RollOutRules rules() { return {.horizon = 2.0, .distance = 100.0, .margin = 0.0, .reach = 0.5}; }
 
 TEST(RollOut, ReachesItsVelocityWithinTheLimits) {
   // From rest to 1 m/s at 1 m/s^2: 0.5 m in the first second, 1 m in the next.
@@ -29,24 +29,25 @@ TEST(RollOut, ReachesItsVelocityWithinTheLimits) {
   EXPECT_NEAR(out.end.x, 1.5, 1e-3);
   EXPECT_NEAR(out.travel, 1.5, 1e-3);
   EXPECT_NEAR(out.time, 2.0, 1e-9);
-  // Turning from rest to 1 rad/s at 1.5 rad/s^2: 1/3 rad in 2/3 s, then 4/3 rad.
-  EXPECT_NEAR(roll_outs.along({0.0, 1.0}).turn, 5.0 / 3.0, 2e-3);
+  // Rotating from rest to 1 rad/s at 1.5 rad/s^2: 1/3 rad in 2/3 s, then 4/3 rad.
+  EXPECT_NEAR(roll_outs.along({0.0, 1.0}).rotation, 5.0 / 3.0, 2e-3);
   EXPECT_EQ(roll_outs.along({0.0, 0.0}).travel, 0.0);
 }
 
 TEST(RollOut, EndsWhereTheWayEnds) {
   PlanningProblem problem = problem_to({9, 0, 0});
   problem.twist = {1.0, 0.0};
-  RollOutRules short_way = rules();
-  short_way.way = 0.7;
-  const RollOut out = RollOuts(problem, short_way).along({1.0, 0.0});
+  RollOutRules short_distance = rules();
+  short_distance.distance = 0.7;
+  const RollOut out = RollOuts(problem, short_distance).along({1.0, 0.0});
   EXPECT_NEAR(out.travel, 0.7, 1e-9);
   EXPECT_NEAR(out.end.x, 0.7, 1e-9);
   EXPECT_FALSE(out.meets);
 }
 
 TEST(RollOut, TheFootprintItselfMeetsAWall) {
-  // Across at 1.5 m: the front is 0.25 m ahead, the corners turn to no effect; a disc would be 0.32 m ahead.
+  // Across at 1.5 m: the front is 0.25 m ahead, the corners rotate to no effect; a disc would be 0.32 m
+  // ahead.
   PlanningProblem problem = problem_to({9, 0, 0});
   problem.footprint = long_box();
   problem.twist = {1.0, 0.0};
@@ -63,7 +64,7 @@ TEST(RollOut, TheFootprintItselfMeetsAWall) {
 }
 
 TEST(RollOut, ATurnOnTheSpotMeetsWhatTheCornersReach) {
-  // A point 0.3 m to the left of a body that reaches 0.2 m to that side: turned by phi it is seen at 0.3 m
+  // A point 0.3 m to the left of a body that reaches 0.2 m to that side: rotated by phi it is seen at 0.3 m
   // (sin phi, cos phi), and the side meets it when 0.3 cos phi = 0.2.
   PlanningProblem problem = problem_to({9, 0, 0});
   problem.footprint = long_box();
@@ -71,9 +72,9 @@ TEST(RollOut, ATurnOnTheSpotMeetsWhatTheCornersReach) {
   problem.twist = {0.0, 1.0};
   const RollOut out = RollOuts(problem, rules()).along({0.0, 1.0});
   ASSERT_TRUE(out.meets);
-  const double turn = std::acos(0.2 / 0.3);
-  EXPECT_NEAR(out.turn, turn, kLook / 0.3);
-  EXPECT_LE(out.turn, turn + 1e-9);
+  const double rotation = std::acos(0.2 / 0.3);
+  EXPECT_NEAR(out.rotation, rotation, kLook / 0.3);
+  EXPECT_LE(out.rotation, rotation + 1e-9);
 }
 
 TEST(RollOut, InsideTheMarginNothingMayComeCloser) {

@@ -79,9 +79,9 @@ TEST(Clusters, OfManyPartsBlockTheEdgesThatTheirPartsBlock) {
     std::vector<Body> apart;
     for (int i = 0; i < 100; ++i) {
       const Vector2 a{random.uniform(1.0, 9.0), random.uniform(-3.0, 3.0)};
-      const Vector2 way(random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3));
+      const Vector2 offset(random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3));
       Body one = standing(a, i % 3 == 0 ? 0.1 : 0.0);
-      if (i % 2 == 0) one.parts[0].axis.b = a + way;
+      if (i % 2 == 0) one.parts[0].axis.b = a + offset;
       together.parts.push_back(one.parts[0]);
       apart.push_back(one);
     }

@@ -57,7 +57,7 @@ TEST(EdgeCheck, MoversAreWhereTheyAreWhenTheRobotPasses) {
 }
 
 TEST(EdgeCheck, ARobotRightBehindSomebodyFindsAWayRound) {
-  // Gap 0.05 m. The way to (0.65, 0.9) comes as close as 0.65 sin(54.2 deg) = 0.527 m to the centre;
+  // Gap 0.05 m. The edge to (0.65, 0.9) comes as close as 0.65 sin(54.2 deg) = 0.527 m to the centre;
   // 0.65 - 0.5 * 0.3 = 0.5 is allowed, so to (0.65, 0.7), 0.476 m, there is none.
   const std::vector<Body> bodies{standing({0.65, 0.0}, 0.3)};
   const EdgeCheck check(ten_metres(), bodies, 0.1);

@@ -34,7 +34,7 @@ std::multiset<std::string> labels(const Exploration& exploration) {
 }
 
 TEST(Explore, FindsEveryCombinationOfSides) {
-  // n obstacles one after the other, each passed left or right by ways that only go forward: 2^n classes.
+  // n obstacles one after the other, each passed left or right by paths that only go forward: 2^n classes.
   EXPECT_EQ(labels(explore(among({{5.0, 0.0}}), kClearance, {}, with_classes(20))),
             (std::multiset<std::string>{"L", "R"}));
   EXPECT_EQ(labels(explore(among({{3.5, 0.1}, {6.5, -0.1}}), kClearance, {}, with_classes(20))),

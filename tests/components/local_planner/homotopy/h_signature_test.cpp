@@ -24,7 +24,8 @@ TEST(HSignature, OfOneObstacleIsItsWinding) {
 }
 
 TEST(HSignature, AgreesWithWindingAmongUpToSixSeparatedObstacles) {
-  // Pairs of random ways: unrelated ones, and copies shaken by up to 0.3 m, so that both verdicts are common.
+  // Pairs of random paths: unrelated ones, and copies shaken by up to 0.3 m, so that both verdicts are
+  // common.
   Random random(3);
   int same = 0;
   int different = 0;
@@ -32,14 +33,14 @@ TEST(HSignature, AgreesWithWindingAmongUpToSixSeparatedObstacles) {
     std::vector<Body> bodies;
     const auto count = 1 + static_cast<std::size_t>(random.uniform(0.0, 6.0));
     for (const Vector2& p : separated(random, count, 1.0)) bodies.push_back(standing(p, 0.2));
-    const auto way = [&] {
+    const auto path = [&] {
       std::vector<Vector2> points{{0.0, 0.0}};
       for (int k = 1; k < 5; ++k) points.push_back({2.0 * k, random.uniform(-2.5, 2.5)});
       points.push_back({10.0, 0.0});
       return points;
     };
-    const std::vector<Vector2> first = way();
-    std::vector<Vector2> second = way();
+    const std::vector<Vector2> first = path();
+    std::vector<Vector2> second = path();
     if (trial % 2 == 0) {
       second = first;
       for (std::size_t k = 1; k + 1 < second.size(); ++k) {
@@ -60,7 +61,7 @@ TEST(HSignature, AgreesWithWindingAmongUpToSixSeparatedObstacles) {
 }
 
 TEST(HSignature, DoesNotUnderflowAmongAHundredObstacles) {
-  // Two ways that differ about one of 100: the winding tells which one, the signature does not vanish.
+  // Two paths that differ about one of 100: the winding tells which one, the signature does not vanish.
   std::vector<Body> bodies;
   for (int i = 0; i < 10; ++i) {
     for (int k = 0; k < 10; ++k) bodies.push_back(standing({0.5 + i, -4.5 + k}, 0.05));
@@ -68,17 +69,17 @@ TEST(HSignature, DoesNotUnderflowAmongAHundredObstacles) {
   const Course course = ten_metres();
   const Route over = route_at_speed({{0, 0}, {4.5, 1.0}, {10, 0}}, 1.0);
   const Route straight = route_at_speed({{0, 0}, {10, 0}}, 1.0);
-  const auto turns = turns_between(winding(straight, bodies, course), winding(over, bodies, course));
+  const auto windings = windings_between(winding(straight, bodies, course), winding(over, bodies, course));
   // Above the line, below the triangle with its top at (4.5, 1): only rows at y = 0.5 between x = 2.25 and
   // 7.25.
-  int turned = 0;
+  int differing = 0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const Vector2& c = bodies[b].representative;
     const bool inside = std::abs(c.y() - 0.5) < 1e-9 && c.x() > 2.25 && c.x() < 7.25;
-    EXPECT_EQ(turns[b], inside ? 1 : 0);
-    turned += inside;
+    EXPECT_EQ(windings[b], inside ? 1 : 0);
+    differing += inside;
   }
-  EXPECT_EQ(turned, 5);
+  EXPECT_EQ(differing, 5);
   const auto h = h_signature(over, bodies, course);
   EXPECT_TRUE(std::isfinite(h.real()) && std::isfinite(h.imag()));
   EXPECT_GT(std::abs(h - h_signature(straight, bodies, course)), 1.0);

@@ -100,9 +100,9 @@ TEST(Roadmap, RandomVerticesFollowTheSeedAndTheCourse) {
   for (const Vector2& v : map.vertices) {
     EXPECT_TRUE(v.x() >= 0.0 && v.x() <= 10.0 && std::abs(v.y()) <= 3.0);
   }
-  Course turned = ten_metres();  // by 90 degrees
-  turned.goal = {0.0, 10.0};
-  const Roadmap other = random_roadmap(turned, {}, options);
+  Course rotated = ten_metres();  // by 90 degrees
+  rotated.goal = {0.0, 10.0};
+  const Roadmap other = random_roadmap(rotated, {}, options);
   for (std::size_t k = 0; k < map.vertices.size(); ++k) {
     EXPECT_NEAR(other.vertices[k].x(), -map.vertices[k].y(), 1e-12);
     EXPECT_NEAR(other.vertices[k].y(), map.vertices[k].x(), 1e-12);

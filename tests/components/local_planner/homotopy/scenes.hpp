@@ -22,16 +22,16 @@ inline Mover mover_at(const Vector2& position, const Vector2& velocity) {
   return mover;
 }
 
-/// `count` places between (1, -2) and (9, 2), at least `separation` [m] apart.
+/// `count` positions between (1, -2) and (9, 2), at least `separation` [m] apart.
 inline std::vector<Vector2> separated(Random& random, std::size_t count, double separation) {
-  std::vector<Vector2> places;
-  while (places.size() < count) {
+  std::vector<Vector2> positions;
+  while (positions.size() < count) {
     const Vector2 p{random.uniform(1.0, 9.0), random.uniform(-2.0, 2.0)};
     bool apart = true;
-    for (const Vector2& q : places) apart = apart && (p - q).norm() >= separation;
-    if (apart) places.push_back(p);
+    for (const Vector2& q : positions) apart = apart && (p - q).norm() >= separation;
+    if (apart) positions.push_back(p);
   }
-  return places;
+  return positions;
 }
 
 }  // namespace bw::homotopy

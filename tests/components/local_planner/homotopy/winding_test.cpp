@@ -22,7 +22,7 @@ TEST(Winding, SidesOfOneDiscDifferByAFullTurn) {
   const auto right = winding(route({{0, 0}, {5, -1}, {10, 0}}), bodies, course);
   EXPECT_NEAR(left[0], -kPi, 1e-12);
   EXPECT_NEAR(right[0], kPi, 1e-12);
-  EXPECT_EQ(turns_between(right, left), std::vector<int>{1});
+  EXPECT_EQ(windings_between(right, left), std::vector<int>{1});
   EXPECT_FALSE(same_winding(left, right));
 }
 
@@ -96,7 +96,7 @@ TEST(Winding, ExactlyThroughABodyCountsAsRightOfIt) {
 }
 
 TEST(Winding, TellsPassingBeforeAMoverFromPassingBehindIt) {
-  // Somebody walks up across the line at x = 5 and is on it after 4 s. The same way at 2 m/s is there after
+  // Somebody walks up across the line at x = 5 and is on it after 4 s. The same path at 2 m/s is there after
   // 2.5 s, in front; at 1 m/s after 5 s, behind.
   Body walker = standing({5.0, 0.0}, 0.3);
   walker.motion = mover_at({5.0, -4.0}, {0.0, 1.0});
@@ -104,7 +104,7 @@ TEST(Winding, TellsPassingBeforeAMoverFromPassingBehindIt) {
     if (predicted) walker.motion->predictions = {{2.0, {5.0, -2.0}}, {8.0, {5.0, 4.0}}};
     const auto before = winding(route_at_speed({{0, 0}, {10, 0}}, 2.0), {walker}, ten_metres());
     const auto behind = winding(route_at_speed({{0, 0}, {10, 0}}, 1.0), {walker}, ten_metres());
-    EXPECT_EQ(turns_between(behind, before), std::vector<int>{1});  // in front of it: on its left
+    EXPECT_EQ(windings_between(behind, before), std::vector<int>{1});  // in front of it: on its left
     const auto even_slower = winding(route_at_speed({{0, 0}, {10, 0}}, 0.6), {walker}, ten_metres());
     EXPECT_TRUE(same_winding(behind, even_slower));
   }

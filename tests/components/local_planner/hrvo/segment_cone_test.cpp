@@ -18,7 +18,7 @@ Neighbour wall(const Segment& core, const Vector2& robot) {
 }
 
 // Smallest distance to the wall over 25 m of travel in steps of 2 cm; its error is below 1 cm.
-double nearest_on_the_way(const Segment& core, const Vector2& robot, const Vector2& v) {
+double nearest_on_the_path(const Segment& core, const Vector2& robot, const Vector2& v) {
   double nearest = 1e9;
   for (double travel = 0.0; travel < 25.0; travel += 0.02) {
     const Vector2 p = robot + travel * v.normalized();
@@ -43,7 +43,7 @@ TEST(SegmentCone, HoldsTheVelocitiesThatReachTheSwollenSegment) {
     EXPECT_GT(cross(cone.right, cone.left), 0.0);
     for (int k = 0; k < 30; ++k) {
       const Vector2 v = random.uniform(0.1, 1.0) * direction(random.uniform(-3.2, 3.2));
-      const double nearest = nearest_on_the_way(core, robot, v);
+      const double nearest = nearest_on_the_path(core, robot, v);
       if (std::abs(nearest - kRadius) < 0.01) continue;
       EXPECT_EQ(is_inside(cone, v, 0.0), nearest < kRadius);
       ++(nearest < kRadius ? contacts : clear);

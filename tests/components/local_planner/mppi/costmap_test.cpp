@@ -43,11 +43,11 @@ TEST(Costmap, HasTheCostOfTheExactDistanceInTheMiddleOfCells) {
   for (int column = -39; column <= 39; ++column) {
     for (int row = -39; row <= 39; ++row) {
       const Vector2 p(0.05 * column, 0.05 * row);
-      const Vector2 a(0.2, -1.52), way(1.2, 0.4);
-      const double share = std::clamp((p - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
+      const Vector2 a(0.2, -1.52), axis(1.2, 0.4);
+      const double share = std::clamp((p - a).dot(axis) / axis.squaredNorm(), 0.0, 1.0);
       const double distance =
           std::min({(p - Vector2(1.03, 0.02)).norm(), (p - Vector2(-1.2, 0.4)).norm() - 0.36,
-                    (p - a - share * way).norm(), (p - Vector2(0.1, 1.4)).norm() - 0.25});
+                    (p - a - share * axis).norm(), (p - Vector2(0.1, 1.4)).norm() - 0.25});
       const double cost = inflated_cost(distance, kRadius, kInflation);
       ASSERT_NEAR(costmap.at(p.x(), p.y()), cost, 1e-9) << p.transpose();
       ASSERT_EQ(costmap.at(p.x() + 0.024, p.y() - 0.024), costmap.at(p.x(), p.y()));

@@ -105,7 +105,7 @@ TEST_F(Critics, GoalAngleIsTheMeanDifferenceOfHeadings) {
   EXPECT_NEAR(costs[1], sum / 12.0, 1e-12);
 }
 
-// Poses 4 and 8 of every fourth lie at 0.2, 0.4 m (0.5 m/s) and 0.4, 0.8 m; those of an equal way along a
+// Poses 4 and 8 of every fourth lie at 0.2, 0.4 m (0.5 m/s) and 0.4, 0.8 m; those of an equal path along a
 // plan 0.3 m to the left are 0.3 m away, whatever the speed.
 TEST_F(Critics, PathAlignComparesEqualWays) {
   drive(1.0);
@@ -156,7 +156,7 @@ TEST_F(Critics, PathFollowDrawsToTheNextFreePoint) {
 }
 
 // The point 4 beyond the furthest lies at (0, 1): a right angle off, more than 1 rad. Motion 0 ends at (0.55,
-// 0) with heading 0: atan2(1, -0.55) = 2.0735 rad. Motion 1 turns on the spot to 1.1 rad: pi / 2 - 1.1.
+// 0) with heading 0: atan2(1, -0.55) = 2.0735 rad. Motion 1 rotates in place to 1.1 rad: pi / 2 - 1.1.
 TEST_F(Critics, PathAngleTurnsTowardsThePlan) {
   drive(0.0, 1.0);
   plan_straight(3.0);
@@ -173,8 +173,8 @@ TEST_F(Critics, PathAngleTurnsTowardsThePlan) {
   EXPECT_EQ(costs[0], 0.0);
 }
 
-// A post 0.5 m beside the way at x = 0.4: cells on the way (they are 0.05 m wide, poses lie in their middles)
-// cost 252 exp(-3 (d - 0.3)) within 0.7 m. Every second pose of 12 is looked at: 0, 2, ... 10.
+// A post 0.5 m beside the path at x = 0.4: cells on the way (they are 0.05 m wide, poses lie in their
+// middles) cost 252 exp(-3 (d - 0.3)) within 0.7 m. Every second pose of 12 is looked at: 0, 2, ... 10.
 TEST_F(Critics, CostIsTheMeanOfTheCells) {
   drive(0.0);
   put({.points = {{0.4, 0.5}}});

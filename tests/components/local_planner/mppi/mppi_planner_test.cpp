@@ -13,7 +13,7 @@ namespace {
 
 MppiPlanner planner_with(const MppiOptions& options) { return MppiPlanner(options, {}); }
 
-// The way is 5 m and 1 rad to turn: 30 s is six times what it takes at 1 m/s.
+// The path is 5 m and 1 rad to rotate: 30 s is six times what it takes at 1 m/s.
 TEST(MppiPlanner, ArrivesInTheOpen) {
   for (const Pose2& goal : {Pose2{5.0, 0.0, 0.0}, Pose2{3.0, 2.0, 1.0}, Pose2{-2.0, 1.0, 2.0}}) {
     MppiPlanner planner = planner_with({});
@@ -38,7 +38,7 @@ TEST(MppiPlanner, DrivesAsFastAsItsWeightsBalance) {
   EXPECT_NEAR(mean, 2.0 / 3.0, 0.05);
 }
 
-// A wall across the way with a gap of 1.4 m, through which the plan leads.
+// A wall across the path with a gap of 1.4 m, through which the plan leads.
 TEST(MppiPlanner, DrivesThroughAGapInAWall) {
   PlanningProblem problem = problem_to({4.0, 0.0, 0.0});
   problem.plan = {{0, 0, 0}, {1.2, 1.0, 0}, {2.8, 1.0, 0}, {4.0, 0.0, 0.0}};
@@ -94,7 +94,7 @@ TEST(MppiPlanner, LooksAheadOnRequest) {
   MppiOptions ahead;
   ahead.predict_movers = true;
   PlanningProblem without =
-      problem_to({6.0, 0.01, 0.0});  // not straight on: samples are turned alike without movers
+      problem_to({6.0, 0.01, 0.0});  // not straight on: samples are rotated alike without movers
   without.twist = {0.8, 0.0};
   PlanningProblem with = without;
   with.movers = {{.id = 1, .position = {1.0, -1.5}, .velocity = {0.0, 1.0}}};

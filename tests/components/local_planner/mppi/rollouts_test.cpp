@@ -19,7 +19,7 @@ constexpr Limits kAnything{
 TEST(Rollouts, AreExactArcs) {
   constexpr Eigen::Index kSamples = 50, kSteps = 56;
   for (const double spread :
-       {0.3, 3.0, 60.0}) {  // [rad/s]; beyond 10 rad/s a step turns by more than the series takes
+       {0.3, 3.0, 60.0}) {  // [rad/s]; beyond 10 rad/s a step rotates by more than the series takes
     Random random(5);
     Rollouts rollouts;
     rollouts.resize(kSamples, kSteps);
@@ -49,8 +49,8 @@ TEST(Rollouts, AreExactArcs) {
   }
 }
 
-// A circle of radius v / omega = 0.5 m: after a whole turn of 2 pi / 1.6 s the robot is where it was, after
-// half of it 1 m aside.
+// A circle of radius v / omega = 0.5 m: after a whole revolution of 2 pi / 1.6 s the robot is where it was,
+// after half of it 1 m aside.
 TEST(Rollouts, CloseACircle) {
   constexpr Eigen::Index kSteps = 40;
   const double omega = 2.0 * std::numbers::pi / (kSteps * kStep);

@@ -124,12 +124,12 @@ TEST(HalfPlane, OfWallsKeepsClearForTheHorizonAndAllowsStanding) {
 TEST(HalfPlane, OfAWallWithoutLengthIsThatOfADisc) {
   Random random(kSeed);
   for (int i = 0; i < 500; ++i) {
-    const Vector2 place = random_vector(random, 3.0);
+    const Vector2 position = random_vector(random, 3.0);
     const double radius = random.uniform(0.1, 0.8);
-    if (place.norm() <= radius) continue;
+    if (position.norm() <= radius) continue;
     const Vector2 own = random_vector(random, 1.5);
-    const HalfPlane wall = clear_of(Segment{place, place}, radius, own, 3.0);
-    const HalfPlane disc = clear_of(MovingDisc{place, {0.0, 0.0}, radius}, own, 1.0, 3.0, 0.25);
+    const HalfPlane wall = clear_of(Segment{position, position}, radius, own, 3.0);
+    const HalfPlane disc = clear_of(MovingDisc{position, {0.0, 0.0}, radius}, own, 1.0, 3.0, 0.25);
     EXPECT_NEAR((inward(wall) - inward(disc)).norm(), 0.0, 1e-6) << "seed " << kSeed << " " << i;
     EXPECT_NEAR(violation(wall, own), violation(disc, own), 1e-9) << "seed " << kSeed << " " << i;
   }

@@ -44,16 +44,16 @@ TEST(Orca, DoesNotDependOnTheOrderOfNeighbours) {
   }
 }
 
-// On a circle, each to the opposite place: the rule promises that nobody touches. Not that all arrive: more
-// than two can wait for each other in the middle.
+// On a circle, each to the opposite position: the rule promises that nobody touches. Not that all arrive:
+// more than two can wait for each other in the middle.
 TEST(Orca, DiscsThatAllFollowItNeverTouch) {
   for (const int count : {2, 3, 10}) {
     std::vector<Agent> agents;
     std::vector<Vector2> goals;
     for (int k = 0; k < count; ++k) {
-      const Vector2 place = 4.0 * direction(2.0 * M_PI * k / count + 0.01 * k);
-      agents.push_back(agent_at(place, {0, 0}, {0, 0}));
-      goals.push_back(-place);
+      const Vector2 position = 4.0 * direction(2.0 * M_PI * k / count + 0.01 * k);
+      agents.push_back(agent_at(position, {0, 0}, {0, 0}));
+      goals.push_back(-position);
     }
     double least = 1e9;
     constexpr double kStep = 0.1;
@@ -63,8 +63,8 @@ TEST(Orca, DiscsThatAllFollowItNeverTouch) {
         std::vector<Neighbour> others;
         for (std::size_t j = 0; j < agents.size(); ++j)
           if (j != i) others.push_back({agents[j].position, agents[j].velocity, agents[j].radius, 0.5});
-        const Vector2 way = goals[i] - agents[i].position;
-        agents[i].wanted = way.norm() > 1.0 ? Vector2(way.normalized()) : way;
+        const Vector2 to_goal = goals[i] - agents[i].position;
+        agents[i].wanted = to_goal.norm() > 1.0 ? Vector2(to_goal.normalized()) : to_goal;
         next.push_back(advise(agents[i], others, {}, {.time_step = kStep}).velocity);
       }
       for (std::size_t i = 0; i < agents.size(); ++i) {

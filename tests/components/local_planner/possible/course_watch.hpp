@@ -67,10 +67,10 @@ class CourseWatch final : public Component {
   /// As a tracker tells of a thing that trembles in its sweeps: a little velocity, a spread that grows.
   void publish(Time now) {
     std::vector<TrackedPerson> people;
-    for (const Vector2& place : task.phantoms) {
+    for (const Vector2& position : task.phantoms) {
       TrackedPerson person;
       person.id = static_cast<std::uint32_t>(people.size()) + 1;
-      person.position = place;
+      person.position = position;
       person.velocity = {0.05, person.id % 2 == 0 ? 0.05 : -0.05};
       person.radius = 0.3;
       person.confidence = task.confidence;

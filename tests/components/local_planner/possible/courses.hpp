@@ -30,7 +30,7 @@ Course gap_course(int number);
 /// 10 m through cylinders of 3 to 15 cm, any two of them as far apart as the gap is wide; no map.
 Course cylinder_course(int number);
 
-/// A field of cylinders from a file x_m,y_m,radius_m, seen so that the way leads along x; no map.
+/// A field of cylinders from a file x_m,y_m,radius_m, seen so that the path leads along x; no map.
 Course course_of_file(const std::filesystem::path& file);
 
 /// Who tells of people.

@@ -82,7 +82,7 @@ TEST_P(AnyPlanner, ForgetsWhomNobodyBelievesIn) {
 TEST_P(AnyPlanner, FindsAWayWhereverThereIsOneWithoutPossiblePeople) {
   const bool is_band = GetParam().find("teb") != std::string_view::npos;
   Random random(kSeed);
-  int ways = 0;
+  int paths = 0;
   for (int i = 0; i < 16; ++i) {
     const PlanningProblem scene = random_scene(random);
     const PlanningResult without = first_plan(without_movers(scene));
@@ -91,11 +91,11 @@ TEST_P(AnyPlanner, FindsAWayWhereverThereIsOneWithoutPossiblePeople) {
       EXPECT_EQ(difference(with, without), "") << scene_text(i);
     }
     if (without.status != PlanningStatus::ok || !without.reason.empty()) continue;
-    ++ways;
+    ++paths;
     EXPECT_EQ(with.status, PlanningStatus::ok) << scene_text(i);
     EXPECT_EQ(with.reason, "") << scene_text(i);
   }
-  EXPECT_GT(ways, 4) << "hardly a scene has a way at all";
+  EXPECT_GT(paths, 4) << "hardly a scene has a way at all";
 }
 
 TEST_P(AnyPlanner, CommutesWithMirroringAmongPossiblePeople) {
@@ -124,8 +124,8 @@ double smallest_distance(const PlanningResult& result, const Mover& mover) {
   return smallest;
 }
 
-// Somebody stands or walks slowly beside a straight way. One solve of a band ends within its tolerance: 3 cm.
-// Both radii and the comfortable distance are 1.2 m: who is further away is far enough.
+// Somebody stands or walks slowly beside a straight path. One solve of a band ends within its tolerance: 3
+// cm. Both radii and the comfortable distance are 1.2 m: who is further away is far enough.
 TEST_P(AnyPlanner, ComesNoNearerWithMoreConfidence) {
   Random random(kSeed);
   for (int i = 0; i < 12; ++i) {

@@ -28,7 +28,7 @@ TEST(DeadMan, AnotherKeyTakesOverAndLettingGoIsAtOnce) {
   DeadMan hand({.v = 0.4, .omega = 1.0});
   hand.press(kStart, {.forward = -1});
   EXPECT_EQ(hand.twist(kStart), (Twist2{-0.1, 0.0})) << "backwards at half the speed";
-  hand.press(after(10), {.turn = 1});
+  hand.press(after(10), {.rotation = 1});
   EXPECT_EQ(hand.twist(after(10)), (Twist2{0.0, 0.5}));
   hand.let_go();
   EXPECT_EQ(hand.twist(after(10)), Twist2{});
@@ -37,7 +37,7 @@ TEST(DeadMan, AnotherKeyTakesOverAndLettingGoIsAtOnce) {
 TEST(DeadMan, SpeedStaysBetweenATenthAndTheLimits) {
   DeadMan hand({.v = 0.4, .omega = 1.0});
   for (int i = 0; i < 20; ++i) hand.change_speed(+1);
-  hand.press(kStart, {.forward = 1, .turn = -1});
+  hand.press(kStart, {.forward = 1, .rotation = -1});
   EXPECT_EQ(hand.twist(kStart), (Twist2{0.4, -1.0}));
   for (int i = 0; i < 20; ++i) hand.change_speed(-1);
   EXPECT_DOUBLE_EQ(hand.share(), 0.1);

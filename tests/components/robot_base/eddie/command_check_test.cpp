@@ -1,5 +1,5 @@
 // Boards that do what they are told, and others. Counts every 25 ms, commands every 50 ms, a wheel of 3.32 mm
-// a count (144 to a turn).
+// a count (144 to a revolution).
 #include "components/robot_base/eddie/command_check.hpp"
 
 #include <algorithm>

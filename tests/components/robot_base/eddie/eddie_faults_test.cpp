@@ -92,7 +92,7 @@ TEST(Eddie, CountsThatJumpAreToldForASecond) {
 
 // 0x10 is not far from 0, and a second is long: by the counts alone it could have driven there.
 // One bit of one answer to DIST, each of them in turn, while the robot stands: what makes another count of it
-// is told as a fault or is within what wheels can turn, and odometry stays within that.
+// is told as a fault or is within what wheels can rotate, and odometry stays within that.
 TEST(Eddie, AFlippedBitOfDistMovesNoStandingRobot) {
   const std::string sound = "00000000 00000000\r";
   const Robot robot = eddie_robot();

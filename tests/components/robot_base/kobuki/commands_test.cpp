@@ -50,7 +50,7 @@ TEST(KobukiCommands, NumbersThatDoNotFitAreLimitedAndNonsenseStops) {
   EXPECT_EQ(speed_and_radius({0.1, std::numeric_limits<double>::infinity()}, kSeparation), SpeedAndRadius{});
 }
 
-/// Wheels as the firmware turns them for (speed, radius): the outer one at `speed`.
+/// Wheels as the firmware rotates them for (speed, radius): the outer one at `speed`.
 WheelSpeeds firmware(const SpeedAndRadius& motion) {
   const double s = motion.speed / 1000.0, r = motion.radius / 1000.0, half = kSeparation / 2.0;
   if (motion.radius == 0) return {s, s};

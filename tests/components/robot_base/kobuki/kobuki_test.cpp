@@ -156,14 +156,14 @@ TEST_F(KobukiOnACable, BatteryChargerAndCurrents) {
 
 // 175.00 degrees is the zero; -179.00 is 6 degrees on, 170.00 is 5 back of the zero.
 TEST_F(KobukiOnACable, TheGyroCountsFromItsFirstAngleAndThroughTheTurn) {
-  const auto turned = [&](int centidegrees, int rate) {
+  const auto heading_at = [&](int centidegrees, int rate) {
     wire_.put(packet(joined({core_payload({.stamp = stamp_ += 20}), inertia_payload(centidegrees, rate)})));
     return step().gyro.at(0);
   };
   constexpr double kDegree = std::numbers::pi / 180.0;
-  EXPECT_EQ(turned(17'500, 0).angle, 0.0);
-  EXPECT_NEAR(turned(-17'900, 4'500).angle, 6.0 * kDegree, 1e-9);
-  const GyroReading back = turned(17'000, -1'000);
+  EXPECT_EQ(heading_at(17'500, 0).angle, 0.0);
+  EXPECT_NEAR(heading_at(-17'900, 4'500).angle, 6.0 * kDegree, 1e-9);
+  const GyroReading back = heading_at(17'000, -1'000);
   EXPECT_NEAR(back.angle, -5.0 * kDegree, 1e-9);
   EXPECT_NEAR(back.rate, -10.0 * kDegree, 1e-9);
 }
@@ -193,7 +193,7 @@ TEST_F(KobukiOnACable, TicksThatJumpAreCountedAndToldForASecond) {
   EXPECT_EQ(packet_and_steps({.left = 2801, .right = 1600}).fault, "");
 }
 
-// Stamp and counters begin at zero: what the wheels turned is not known, and is left out.
+// Stamp and counters begin at zero: what the wheels rotated is not known, and is left out.
 TEST_F(KobukiOnACable, ABoardThatRestartsIsToldAndItsCountsGoOn) {
   for (int i = 0; i < 50; ++i) packet_and_steps({.left = 100 * i, .right = 100 * i});
   stamp_ = 0;

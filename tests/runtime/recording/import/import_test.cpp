@@ -63,9 +63,9 @@ TEST(Import, CompassDegreesMillimetresKilometresPerHourAndMicroseconds) {
   std::string text = "time;north;east;compass;compass_sd;speed;turn\n";
   for (int i = 0; i <= 20; ++i) {
     const double t = 0.1 * i;
-    const double turned = t / 2.0;  // [rad]
-    text += fmt::format("{};{};{};{};{};{};{}\n", 100'000 * i, -2000.0 * (1.0 - std::cos(turned)),
-                        2000.0 * std::sin(turned), 90.0 + turned / kDegree, 2.0, 3.6, 0.5 / kDegree);
+    const double heading = t / 2.0;  // [rad]
+    text += fmt::format("{};{};{};{};{};{};{}\n", 100'000 * i, -2000.0 * (1.0 - std::cos(heading)),
+                        2000.0 * std::sin(heading), 90.0 + heading / kDegree, 2.0, 3.6, 0.5 / kDegree);
   }
   tables.write("ship.csv", text);
   const ImportedLog log = tables.import(kShip);
@@ -73,14 +73,14 @@ TEST(Import, CompassDegreesMillimetresKilometresPerHourAndMicroseconds) {
   const std::vector<Odometry> odometry = messages_of<Odometry>(log, "/odom");
   for (int i = 0; i <= 20; ++i) {
     const Odometry& o = odometry[static_cast<std::size_t>(i)];
-    const double turned = 0.05 * i;
+    const double heading = 0.05 * i;
     EXPECT_EQ(log.messages[static_cast<std::size_t>(i)].stamp.nanoseconds,
               1'700'000'000'000'000'000 + 100'000'000 * i);
     EXPECT_EQ(o.header().stamp().sec(), 1'700'000'000 + i / 10);
     EXPECT_EQ(o.header().stamp().nanosec(), 100'000'000U * static_cast<unsigned>(i % 10));
-    EXPECT_NEAR(o.pose().pose().position().x(), 2.0 * std::sin(turned), 1e-12);
-    EXPECT_NEAR(o.pose().pose().position().y(), -2.0 * (1.0 - std::cos(turned)), 1e-12);
-    EXPECT_NEAR(yaw_of(o.pose().pose().orientation()), -turned, 1e-12);
+    EXPECT_NEAR(o.pose().pose().position().x(), 2.0 * std::sin(heading), 1e-12);
+    EXPECT_NEAR(o.pose().pose().position().y(), -2.0 * (1.0 - std::cos(heading)), 1e-12);
+    EXPECT_NEAR(yaw_of(o.pose().pose().orientation()), -heading, 1e-12);
     EXPECT_NEAR(o.twist().twist().linear().x(), 1.0, 1e-12);
     EXPECT_NEAR(o.twist().twist().angular().z(), -0.5, 1e-12);
     EXPECT_NEAR(o.pose().covariance()[0], 0.0009, 1e-15);

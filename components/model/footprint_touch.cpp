@@ -1,4 +1,4 @@
-#include "components/model/footprint_way.hpp"
+#include "components/model/footprint_touch.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,8 +31,8 @@ Depth depth_of(const std::vector<Vector2>& polygon, const Vector2& p) {
   return least;
 }
 
-/// Way of a point that runs along unit vector `u` from p until it is in the polygon.
-double straight_way(const std::vector<Vector2>& polygon, const Vector2& p, const Vector2& u) {
+/// Distance of a point that runs along unit vector `u` from p until it is in the polygon.
+double straight_distance(const std::vector<Vector2>& polygon, const Vector2& p, const Vector2& u) {
   double enter = 0.0;
   double leave = kNever;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -50,10 +50,10 @@ double straight_way(const std::vector<Vector2>& polygon, const Vector2& p, const
   return enter < leave ? enter : kNever;
 }
 
-/// Angle that a point turns around `center`, in the sense of `sense` (1: counter-clockwise), until it crosses
-/// a side.
-double turned_angle(const std::vector<Vector2>& polygon, const Vector2& center, const Vector2& p,
-                    double sense) {
+/// Angle that a point rotates around `center`, in the sense of `sense` (1: counter-clockwise), until it
+/// crosses a side.
+double rotation_angle(const std::vector<Vector2>& polygon, const Vector2& center, const Vector2& p,
+                      double sense) {
   const Vector2 from = p - center;
   const double squared = from.squaredNorm();
   double first = kNever;
@@ -86,9 +86,9 @@ TouchOnArc first_touch(const Twist2& twist, const std::vector<Vector2>& polygon,
     return {depth.outward.dot(moves) < 0.0 ? 0.0 : kNever, 1.0};
   }
   if (std::abs(twist.omega) < kStraight * std::abs(twist.v))
-    return {straight_way(polygon, point, {twist.v > 0.0 ? -1.0 : 1.0, 0.0}), 1.0};
+    return {straight_distance(polygon, point, {twist.v > 0.0 ? -1.0 : 1.0, 0.0}), 1.0};
   const Vector2 center(0.0, twist.v / twist.omega);
-  const double angle = turned_angle(polygon, center, point, twist.omega > 0.0 ? -1.0 : 1.0);
+  const double angle = rotation_angle(polygon, center, point, twist.omega > 0.0 ? -1.0 : 1.0);
   const double radius = (point - center).norm();
   if (twist.v == 0.0) return {angle, radius};
   return {angle * std::abs(center.y()), radius / std::abs(center.y())};

@@ -1,4 +1,4 @@
-#include "components/model/footprint_way.hpp"
+#include "components/model/footprint_touch.hpp"
 
 #include <cmath>
 #include <limits>
@@ -17,35 +17,37 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 const std::vector<Vector2> kRectangle = {{0.255, 0.215}, {-0.255, 0.215}, {-0.255, -0.215}, {0.255, -0.215}};
 
-double way(const Twist2& twist, const Vector2& point) { return first_touch(twist, kRectangle, point).way; }
-
-TEST(FirstTouch, StraightAheadIsTheDistanceToTheFront) {
-  EXPECT_DOUBLE_EQ(way({1.0, 0.0}, {2.0, 0.2}), 1.745);
-  EXPECT_DOUBLE_EQ(way({-1.0, 0.0}, {-2.0, 0.2}), 1.745);
-  EXPECT_EQ(way({1.0, 0.0}, {2.0, 0.22}), kNever);
-  EXPECT_EQ(way({1.0, 0.0}, {-2.0, 0.0}), kNever);
-  EXPECT_EQ(way({0.0, 0.0}, {0.0, 0.0}), kNever);
+double distance(const Twist2& twist, const Vector2& point) {
+  return first_touch(twist, kRectangle, point).distance;
 }
 
-// Its side passes a wall at 0.25 m; turning, the corner at 0.3335 m meets it 8.4 degrees on.
+TEST(FirstTouch, StraightAheadIsTheDistanceToTheFront) {
+  EXPECT_DOUBLE_EQ(distance({1.0, 0.0}, {2.0, 0.2}), 1.745);
+  EXPECT_DOUBLE_EQ(distance({-1.0, 0.0}, {-2.0, 0.2}), 1.745);
+  EXPECT_EQ(distance({1.0, 0.0}, {2.0, 0.22}), kNever);
+  EXPECT_EQ(distance({1.0, 0.0}, {-2.0, 0.0}), kNever);
+  EXPECT_EQ(distance({0.0, 0.0}, {0.0, 0.0}), kNever);
+}
+
+// Its side passes a wall at 0.25 m; rotating, the corner at 0.3335 m meets it 8.4 degrees on.
 TEST(FirstTouch, ATurnOnTheSpotBringsTheCornerToTheWall) {
   const double corner = std::hypot(0.255, 0.215);
   const double touch = std::asin(0.25 / corner) - std::atan2(0.215, 0.255);
   const Vector2 point(std::sqrt(corner * corner - 0.25 * 0.25) - 1e-9, 0.25);
   const TouchOnArc found = first_touch({0.0, 0.5}, kRectangle, point);
-  EXPECT_NEAR(found.way, touch, 1e-6);
+  EXPECT_NEAR(found.distance, touch, 1e-6);
   EXPECT_NEAR(found.lever, corner, 1e-6);
-  EXPECT_EQ(way({0.0, 0.5}, {0.0, 0.34}), kNever);
+  EXPECT_EQ(distance({0.0, 0.5}, {0.0, 0.34}), kNever);
 }
 
 TEST(FirstTouch, WhatIsInsideBlocksOnlyMotionsThatGoDeeper) {
-  EXPECT_EQ(way({0.2, 0.0}, {0.25, 0.0}), 0.0);
-  EXPECT_EQ(way({-0.2, 0.0}, {0.25, 0.0}), kNever);
-  EXPECT_EQ(way({0.2, 0.0}, {-0.25, 0.0}), kNever);
-  // Beside its middle: turning on the spot moves neither side away, ahead of it the left side comes nearer by
-  // turning left.
-  EXPECT_EQ(way({0.0, 0.5}, {0.1, 0.21}), 0.0);
-  EXPECT_EQ(way({0.0, -0.5}, {0.1, 0.21}), kNever);
+  EXPECT_EQ(distance({0.2, 0.0}, {0.25, 0.0}), 0.0);
+  EXPECT_EQ(distance({-0.2, 0.0}, {0.25, 0.0}), kNever);
+  EXPECT_EQ(distance({0.2, 0.0}, {-0.25, 0.0}), kNever);
+  // Beside its middle: rotating in place moves neither side away, ahead of it the left side comes nearer by
+  // rotating left.
+  EXPECT_EQ(distance({0.0, 0.5}, {0.1, 0.21}), 0.0);
+  EXPECT_EQ(distance({0.0, -0.5}, {0.1, 0.21}), kNever);
 }
 
 /// First touch by brute force: steps in which no corner moves more than 0.5 mm.
@@ -77,10 +79,10 @@ TEST(FirstTouch, EqualsBruteForceOnRandomArcs) {
     const double most = v == 0.0       ? 2.0 * std::numbers::pi
                         : omega == 0.0 ? 3.0
                                        : std::min(3.0, 2.0 * std::numbers::pi * std::abs(v / omega));
-    const double exact = first_touch({v, omega}, made.footprint.polygon, point).way;
+    const double exact = first_touch({v, omega}, made.footprint.polygon, point).distance;
     const double found = walked({v, omega}, made.footprint, point, most);
-    // A step of 0.5 mm of the fastest corner is 0.5 mm of way at most, and a graze shallower than it can be
-    // overlooked.
+    // A step of 0.5 mm of the fastest corner is 0.5 mm of distance at most, and a graze shallower than it can
+    // be overlooked.
     if (std::isfinite(found)) {
       EXPECT_NEAR(exact, found, 2e-2) << "case " << i;
       EXPECT_LE(exact, found + 1e-9) << "case " << i;

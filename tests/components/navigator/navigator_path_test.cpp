@@ -1,4 +1,4 @@
-// The way to a goal: through poses, how much of it is left, how well it is kept.
+// The path to a goal: through poses, how much of it is left, how well it is kept.
 #include <vector>
 
 #include <gmock/gmock.h>

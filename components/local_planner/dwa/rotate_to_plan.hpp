@@ -1,4 +1,4 @@
-// When the plan leads off to the side or backwards: turn on the spot until it lies ahead.
+// When the plan leads off to the side or backwards: rotate in place until it lies ahead.
 #pragma once
 
 #include <optional>
@@ -9,19 +9,19 @@
 namespace bw::dwa {
 
 /// Once begun it goes on, to the same side, until the plan lies ahead: it does not swing.
-class TurnToPlan {
+class RotateToPlan {
  public:
-  /// The angle that is left to turn [rad]; nothing when the plan lies ahead.
+  /// The angle that is left to rotate [rad]; nothing when the plan lies ahead.
   std::optional<double> angle(const PlanningProblem& problem, const Course& course,
                               const CriticOptions& options);
   void forget() { side_ = 0.0; }
 
  private:
-  double side_ = 0.0;  // that it turns to: 1 left, -1 right, 0 not at all
+  double side_ = 0.0;  // that it rotates to: 1 left, -1 right, 0 not at all
 };
 
-/// What a turn on the spot costs: [rad] between the angle that is wanted and where it comes to rest when
+/// What a rotation in place costs: [rad] between the angle that is wanted and where it comes to rest when
 /// `held` is held until a later command takes effect, and stopped then.
-double turn_left_over(const Twist2& held, double angle, const PlanningProblem& problem);
+double rotation_left_over(const Twist2& held, double angle, const PlanningProblem& problem);
 
 }  // namespace bw::dwa

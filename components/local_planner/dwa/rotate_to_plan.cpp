@@ -1,4 +1,4 @@
-#include "components/local_planner/dwa/turn_to_plan.hpp"
+#include "components/local_planner/dwa/rotate_to_plan.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,21 +8,21 @@ namespace bw::dwa {
 namespace {
 
 constexpr double kSampled = 0.5;   // [m] ahead it is looked where the plan leads: Nav2's rotation shim
-constexpr double kAhead = 0.2;     // [rad] at which a turn ends
+constexpr double kAhead = 0.2;     // [rad] at which a rotation ends
 constexpr double kTooNear = 0.05;  // [m] from where a point has no bearing
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 }  // namespace
 
-std::optional<double> TurnToPlan::angle(const PlanningProblem& problem, const Course& course,
-                                        const CriticOptions& options) {
+std::optional<double> RotateToPlan::angle(const PlanningProblem& problem, const Course& course,
+                                          const CriticOptions& options) {
   const double v = std::abs(problem.twist.v);
   const double stopping = v * problem.command_lead + v * v / (2.0 * problem.limits.acc_max);
   const double ahead = std::max(kSampled, stopping);
-  const Vector2 way =
+  const Vector2 to_plan =
       course.line.at(std::min(course.along + ahead, course.line.length())) - problem.pose.position();
   const double bearing =
-      way.norm() < kTooNear ? 0.0 : wrap_angle(std::atan2(way.y(), way.x()) - problem.pose.theta);
+      to_plan.norm() < kTooNear ? 0.0 : wrap_angle(std::atan2(to_plan.y(), to_plan.x()) - problem.pose.theta);
   if (std::abs(bearing) <= (side_ == 0.0 ? options.rotate_threshold : kAhead)) {
     side_ = 0.0;
     return std::nullopt;
@@ -35,7 +35,7 @@ std::optional<double> TurnToPlan::angle(const PlanningProblem& problem, const Co
   return bearing;
 }
 
-double turn_left_over(const Twist2& held, double angle, const PlanningProblem& problem) {
+double rotation_left_over(const Twist2& held, double angle, const PlanningProblem& problem) {
   const double late = std::max(problem.control_period, problem.command_lead);
   const double coming =
       held.omega * late + held.omega * std::abs(held.omega) / (2.0 * problem.limits.alpha_max);
