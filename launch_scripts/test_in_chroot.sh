@@ -183,21 +183,21 @@ test_image() {
   export BUILDAH_ISOLATION=chroot STORAGE_DRIVER=vfs
   local packages=$chroots/$suite$home/bandwagon/build/packages archive=$chroots/bandwagon-$suite.tar container
   [[ -n $(ls "$packages"/bandwagon_*.deb 2>/dev/null) ]] || test_package
-  local system=$chroots/$suite-image
-  rm -rf "$system"
+  local system=$chroots/$suite-image.tar
   install_here mmdebstrap
   # Only what drives: no documentation, no lists of packages.
   # shellcheck disable=SC2016,SC2012  # the hooks' shell expands; names of packages are plain
   mmdebstrap --quiet --variant=essential --dpkgopt='path-exclude=/usr/share/doc/*' --dpkgopt='path-exclude=/usr/share/man/*' \
     --dpkgopt='path-exclude=/usr/share/locale/*' --include="$(dpkg-deb -f "$packages"/bandwagon_*.deb Depends | sed 's/ *([^)]*)//g; s/ *|[^,]*//g; s/ //g')" \
     --customize-hook="copy-in $packages/$(cd "$packages" && ls bandwagon_*.deb) /" --customize-hook='chroot "$1" sh -c "dpkg -i /bandwagon_*.deb && rm /bandwagon_*.deb"' \
-    --customize-hook='chroot "$1" useradd --create-home robot' --customize-hook='rm -rf "$1"/var/lib/apt/lists/* "$1"/var/cache/*' "$suite" "$system"
+    --customize-hook='install -d -o 1000 -g 1000 "$1/home/robot"' --customize-hook='rm -rf "$1"/var/lib/apt/lists/* "$1"/var/cache/*' "$suite" "$system"
   container=$(buildah from scratch)
   buildah add -q "$container" "$system" / >/dev/null
-  buildah config --user robot --entrypoint '["bandwagon"]' --cmd 'demo --stay' --workingdir /home/robot "$container"
+  buildah config --user 1000:1000 --env HOME=/home/robot --entrypoint '["bandwagon"]' --cmd 'demo --stay' --workingdir /home/robot "$container"
   rm -f "$archive"
   buildah commit -q "$container" "oci-archive:$archive" >/dev/null
-  say "image: $(du -sm "$system" | cut -f1) MB unpacked, $(du -m "$archive" | cut -f1) MB as an archive: $archive"
+  say "image: $(du -m "$archive" | cut -f1) MB: $archive"
+  rm "$system"
   timed "bandwagon demo in the image" buildah run --network none "$container" -- bandwagon demo --no-page
   buildah rm "$container" >/dev/null
 }
