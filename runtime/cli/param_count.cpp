@@ -38,7 +38,6 @@ class NameCount {
     for (const auto& [type, names] : names_) {
       std::cout << fmt::format("{:5} {}\n", names.size(), type);
       sum += names.size();
-      for (const auto& n : names) std::cout << "N " << type << " " << n << "\n";
     }
     std::cout << fmt::format("{:5}\n", sum);
     int status = 0;
