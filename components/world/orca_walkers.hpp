@@ -25,8 +25,8 @@ struct OrcaWalkersOptions : GoalWalkersOptions {
   static constexpr double kWallHorizon = 1.0;
   /// [s] between two decisions, in which they keep velocity
   static constexpr double kPeriod = 0.1;
-  /// robots that they see (people_react) are trusted to do half of the avoiding; false: walkers do all (set by
-  /// code alone)
+  /// robots that they see (people_react) are trusted to do half of the avoiding; false: walkers do all
+  /// (set by code alone)
   bool robots_share = true;
 
   template <class Visitor>
