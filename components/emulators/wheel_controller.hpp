@@ -7,23 +7,17 @@
 #include <deque>
 
 #include "components/model/differential_drive.hpp"
-#include "runtime/base/field.hpp"
 #include "runtime/base/time.hpp"
 
 namespace bw::emulators {
 
 struct WheelControllerOptions {
+  /// [s] from the last byte of a command to its effect (set by code alone)
   double latency = 0.02;
+  /// [s] time constant of the wheels' control; 0: none (set by code alone)
   double lag = 0.04;
   /// [m/s^2] most that the motors give (set by code alone)
   double acceleration = 3.0;
-
-  template <class Visitor>
-  void fields(Visitor& v) {
-    v("latency", latency,
-      {.unit = "s", .min = 0, .max = 1, .doc = "from the last byte of a command to its effect"});
-    v("lag", lag, {.unit = "s", .min = 0, .max = 5, .doc = "time constant of the wheels' control; 0: none"});
-  }
 };
 
 class WheelController {

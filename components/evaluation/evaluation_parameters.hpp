@@ -21,7 +21,8 @@ constexpr auto choice_table(Scored) {
 
 struct EvaluationParameters : EvaluationOptions {
   Scored scored = Scored::drive;
-  double rate = 2.0;
+  /// [Hz] score cards per second while driving
+  static constexpr double kRate = 2.0;
   std::string svg;
   std::string title = "Bandwagon";
   double time_limit = 0.0;
@@ -34,7 +35,6 @@ struct EvaluationParameters : EvaluationOptions {
            "drive: to the goals that the navigator reports; drives: from the first goal to the end of the run, "
            "with the outcome of the last goal (set by run --stay); run: the whole run, as beside a recording, "
            "where only the error of the pose is of interest"});
-    v("rate", rate, {.unit = "Hz", .min = 0.1, .max = 50, .doc = "score cards per second while driving"});
     v("svg", svg, {.doc = "file for the picture of the run; empty: none"});
     v("title", title, {.doc = "heading of the picture"});
     v("time_limit", time_limit,
@@ -43,6 +43,7 @@ struct EvaluationParameters : EvaluationOptions {
        .max = 1e9,
        .doc = "when the run ends (set by run --for and by evaluate): who drives until then is called late in "
               "the picture; 0: none"});
+    v.retired({"rate"}, "a constant of evaluation_parameters.hpp");
   }
 };
 

@@ -23,7 +23,7 @@ std::vector<TrackedPerson> ideal_tracks(const std::vector<Mover>& people, const 
         static_cast<int>(std::floor(options.prediction_horizon / options.prediction_step + 1e-9));
     for (int i = 1; i <= steps; ++i) {
       const double t = i * options.prediction_step;
-      const double deviation = options.walker_acceleration * t * t / 2.0;
+      const double deviation = options.kWalkerAcceleration * t * t / 2.0;
       const double variance = p2 + v2 * t * t + deviation * deviation;
       track.predictions.push_back(
           {t, track.position + track.velocity * t, variance * Eigen::Matrix2d::Identity()});

@@ -28,7 +28,7 @@ Vector2 social_force(const SocialForceOptions& options, const Vector2& p_ij, con
 Vector2 obstacle_force(const SocialForceOptions& options, const Vector2& from_wall, double radius) {
   const double distance = from_wall.norm();
   if (distance == 0.0) return {0.0, 0.0};
-  return options.obstacle_factor * std::exp(-(distance - radius) / options.obstacle_sigma) / distance *
+  return options.kObstacleFactor * std::exp(-(distance - radius) / options.obstacle_sigma) / distance *
          from_wall;
 }
 

@@ -13,7 +13,9 @@ struct SocialForceOptions {
   /// weight of the pull to the goal
   static constexpr double kDesiredFactor = 1.0;
   double social_factor = 2.1;
-  double obstacle_factor = 10.0;
+  /// weight of keeping clear of walls (world/README.md 7.6)
+  static constexpr double kObstacleFactor = 10.0;
+  /// [m] distance over which the push of a wall fades; 0.2 for narrow doors (set by code alone)
   double obstacle_sigma = 0.8;
   /// weight of the relative velocity against the direction to somebody (world/README.md 7.6)
   static constexpr double kLambda = 2.0;
@@ -30,13 +32,7 @@ struct SocialForceOptions {
       {.min = 0,
        .max = 100,
        .doc = "weight of keeping clear of others; below 5 shoulders may brush head-on"});
-    v("obstacle_factor", obstacle_factor, {.min = 0, .max = 100, .doc = "weight of keeping clear of walls"});
-    v("obstacle_sigma", obstacle_sigma,
-      {.unit = "m",
-       .min = 0.01,
-       .max = 10,
-       .doc = "distance over which the push of a wall fades; 0.2 for narrow doors"});
-    v.retired({"relaxation_time"}, "a constant of social_force.hpp");
+    v.retired({"relaxation_time", "obstacle_factor", "obstacle_sigma"}, "a constant of social_force.hpp");
   }
 };
 
@@ -48,7 +44,7 @@ Vector2 desired_force(const SocialForceOptions& options, const Vector2& desired_
 /// pass on their right; zero for coinciding positions, where there is no direction.
 Vector2 social_force(const SocialForceOptions& options, const Vector2& p_ij, const Vector2& v_ij);
 
-/// Push from the nearest wall point: obstacle_factor exp(-(d - radius) / sigma) along `from_wall` (wall to
+/// Push from the nearest wall point: kObstacleFactor exp(-(d - radius) / sigma) along `from_wall` (wall to
 /// person).
 Vector2 obstacle_force(const SocialForceOptions& options, const Vector2& from_wall, double radius);
 

@@ -22,7 +22,6 @@ struct Nav2ServersParameters {
   static constexpr double kBackOffTime = 10.0;
   /// [Hz] how often follow_status is told (set by code alone)
   double rate = 10.0;
-  bool clear_costmaps = true;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -32,9 +31,7 @@ struct Nav2ServersParameters {
     v("goal_checker_id", goal_checker_id, {.doc = "of its goal_checker_plugins; empty: the only one"});
     v("progress_checker_id", progress_checker_id,
       {.doc = "of its progress_checker_plugins; empty: the only one; Humble knows none"});
-    v("clear_costmaps", clear_costmaps,
-      {.doc =
-           "have the global costmap cleared when a plan fails, the local one when the controller gives up"});
+    v.retired({"clear_costmaps"}, "they are always cleared");
   }
 };
 

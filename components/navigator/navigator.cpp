@@ -192,7 +192,7 @@ void Navigator::advance_following(const Situation& situation) {
   }
   if (!base_stop_ && stuck_since_ && older_than(*stuck_since_, stuck_patience_, now))
     return recover(stuck_, situation);
-  if (plan_id_ == 0 && (now - plan_requested_).to_seconds() >= options_.replan_period) request_plan(now);
+  if (plan_id_ == 0 && (now - plan_requested_).to_seconds() >= options_.kReplanPeriod) request_plan(now);
 }
 
 void Navigator::advance_recovery(const Situation& situation) {
@@ -247,7 +247,7 @@ void Navigator::abort(const GoalProblem& problem, const Situation& situation) {
 
 void Navigator::forget_passed(const Vector2& position) {
   const auto first_left = std::ranges::find_if(
-      via_, [&](const Pose2& X) { return (X.position() - position).norm() > options_.via_radius; });
+      via_, [&](const Pose2& X) { return (X.position() - position).norm() > options_.kViaRadius; });
   via_.erase(via_.begin(), first_left);
 }
 

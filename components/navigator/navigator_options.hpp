@@ -17,9 +17,12 @@ struct NavigatorOptions {
   static constexpr double kStoppedSpeed = 0.05;
   /// [rad/s] turning slower than this is standing
   static constexpr double kStoppedTurnRate = 0.1;
-  double via_radius = 0.7;
+  /// [m] a pose to drive through is passed when nearer than this, as by RemovePassedGoals
+  /// of Nav2's tree
+  static constexpr double kViaRadius = 0.7;
   double settle_time = 1.5;
-  double replan_period = 1.0;
+  /// [s] time between plans while driving, as RateController of Nav2's trees has it
+  static constexpr double kReplanPeriod = 1.0;
   /// [s] longest wait for a plan
   static constexpr double kPlanTimeout = 2.0;
   /// [s] longest silence of the local planner
@@ -30,6 +33,7 @@ struct NavigatorOptions {
   static constexpr double kRequiredRotation = 0.5;
   double movement_time = 10.0;
   double blocked_patience = 5.0;
+  /// [s] time without a pose before giving up (set by code alone)
   double lost_patience = 10.0;
   double wait_time = 2.0;
   /// [m] how far the recovery `back off` drives back
@@ -50,24 +54,15 @@ struct NavigatorOptions {
               "evaluation allows 0.1 m more, unless they say otherwise"});
     v("yaw_tolerance", yaw_tolerance,
       {.unit = "rad", .min = 0.01, .max = 3.15, .first = true, .doc = "heading error that counts as there; 3.15: any"});
-    v("via_radius", via_radius,
-      {.unit = "m",
-       .min = 0.05,
-       .max = 10,
-       .doc = "a pose to drive through is passed when nearer than this"});
     v("settle_time", settle_time,
       {.unit = "s",
        .min = 0,
        .max = 30,
        .doc = "time within the tolerances after which the robot is told to stop there"});
-    v("replan_period", replan_period,
-      {.unit = "s", .min = 0.1, .max = 60, .doc = "time between plans while driving"});
     v("movement_time", movement_time,
       {.unit = "s", .min = 0.5, .max = 600, .doc = "time without progress before a recovery"});
     v("blocked_patience", blocked_patience,
       {.unit = "s", .min = 0, .max = 600, .first = true, .doc = "time blocked before a recovery; raise it in crowds"});
-    v("lost_patience", lost_patience,
-      {.unit = "s", .min = 0.1, .max = 600, .doc = "time without a pose before giving up"});
     v("wait_time", wait_time,
       {.unit = "s", .min = 0, .max = 60, .doc = "how long the recovery `wait` lasts; raise it in crowds"});
     v("max_recoveries", max_recoveries,

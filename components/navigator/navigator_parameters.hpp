@@ -84,6 +84,7 @@ struct NavigatorParameters : NavigatorOptions {
       {.doc = "of several goals one that is not reached is the last, of follow_waypoints too; otherwise "
               "the next one is tried"});
     v.retired({"rate", "pose_timeout", "feedback_period"}, "a constant of navigator_parameters.hpp");
+    v.retired({"via_radius", "replan_period", "lost_patience"}, "a constant of navigator_options.hpp");
   }
 
   std::optional<std::string> violated_rule() const {

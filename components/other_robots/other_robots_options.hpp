@@ -1,7 +1,6 @@
 // Parameters of the component other_robots.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,11 +12,14 @@ struct OtherRobotsOptions {
   std::vector<std::string> robots;
   double radius = 0.0;
   double timeout = 0.5;
-  double max_deviation = 0.5;
+  /// [m] a robot less sure of its position than this is what the laser sees of it: standard deviation, the
+  /// larger axis; more is wider than a robot
+  static constexpr double kMaxDeviation = 0.5;
   /// [m] a track with its centre in a robot's body or this near to it is that robot (set by code alone)
   double body_margin = 0.15;
   /// [m/s^2] by which they may deviate from keeping their velocity (set by code alone)
   double acceleration = 0.2;
+  /// [s] how far ahead positions are predicted (set by code alone)
   double prediction_horizon = 4.0;
   /// [s] time between predicted positions (set by code alone)
   double prediction_step = 0.5;
@@ -33,21 +35,8 @@ struct OtherRobotsOptions {
        .min = 0.05,
        .max = 10,
        .doc = "a robot that is silent for longer is what the laser sees of it"});
-    v("max_deviation", max_deviation,
-      {.unit = "m",
-       .min = 0.01,
-       .max = 10,
-       .doc =
-           "a robot less sure of its place than this is what the laser sees of it: standard deviation, the larger axis"});
-    v("prediction_horizon", prediction_horizon,
-      {.unit = "s", .min = 0, .max = 20, .doc = "how far ahead positions are predicted"});
-    v.retired({"body_margin", "acceleration"}, "a constant of other_robots_options.hpp");
-  }
-
-  std::optional<std::string> violated_rule() const {
-    if (prediction_horizon / prediction_step > 200.0)
-      return "prediction_horizon must not exceed 200 prediction_step";
-    return std::nullopt;
+    v.retired({"max_deviation", "prediction_horizon", "body_margin", "acceleration"},
+              "a constant of other_robots_options.hpp");
   }
 };
 

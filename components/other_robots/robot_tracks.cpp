@@ -20,7 +20,7 @@ std::string fault_of(const RobotReport& report, Time now, const OtherRobotsOptio
   if (!is_finite(report.X_MR) || !is_finite(report.twist) || !report.covariance.allFinite())
     return "its pose or velocity is not finite";
   if (std::abs((now - report.time).to_seconds()) > options.timeout) return "its stamps are not of now";
-  if (!(largest_deviation(report.covariance) <= options.max_deviation)) return "it is not sure of its place";
+  if (!(largest_deviation(report.covariance) <= options.kMaxDeviation)) return "it is not sure of its place";
   return {};
 }
 

@@ -19,7 +19,7 @@ std::optional<WheelSpeeds> ContactReaction::step(Time now, double travelled, con
   if (!since_) return std::nullopt;
   since_ = std::min(*since_, now);     // the clock went back
   from_ = std::max(from_, travelled);  // where it turns round: it goes on for a moment
-  const double v = options_.speed;
+  const double v = options_.kSpeed;
   const double reserve = v * (kLag + v / (2.0 * stop_deceleration_));
   const bool is_far_enough = from_ - travelled >= options_.distance - reserve;
   const bool is_over = now - *since_ >= Duration::seconds(options_.time_limit);

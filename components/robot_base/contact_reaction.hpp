@@ -21,7 +21,8 @@ namespace bw {
 
 struct ContactOptions {
   bool back_off = true;
-  double speed = 0.1;
+  /// [m/s] of backing off: it ends within 2.5 mm of the command to stand, with 2 m/s^2
+  static constexpr double kSpeed = 0.1;
   double distance = 0.15;
   /// [s] it backs off this long at most, if wheels do not rotate (set by code alone)
   double time_limit = 3.0;
@@ -29,12 +30,12 @@ struct ContactOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("back_off", back_off, {.doc = "false: a bumper or cliff makes it stand, and no more"});
-    v("speed", speed, {.unit = "m/s", .min = 0.01, .max = 0.3, .doc = "of backing off"});
     v("distance", distance,
       {.unit = "m",
        .min = 0.02,
        .max = 0.5,
        .doc = "it backs off this far at most; nothing looks behind it"});
+    v.retired({"speed"}, "a constant of contact_reaction.hpp");
   }
 };
 

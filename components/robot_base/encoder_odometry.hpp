@@ -35,6 +35,8 @@ struct OdometryOptions {
   double variance_per_metre = 5e-4;
   /// a wheel faster than this many times its top speed is an encoder fault (set by code alone)
   double speed_margin = 2.0;
+  /// [s] time over which speed is averaged, three readings at 50 Hz; a driver of coarse encoders asks for
+  /// more (set by code alone)
   double velocity_window = 0.06;
 
   template <class Visitor>
@@ -46,12 +48,7 @@ struct OdometryOptions {
        .doc =
            "wheel travel variance per metre (k of model/README.md 2.2), for the localization too; raise it on "
            "slippery floors and for wheels that are not equal"});
-    v("velocity_window", velocity_window,
-      {.unit = "s",
-       .min = 0.001,
-       .max = 1,
-       .doc = "time over which speed is averaged; raise it for coarse encoders (a driver may ask for more)"});
-    v.retired({"speed_margin"}, "a constant of encoder_odometry.hpp");
+    v.retired({"speed_margin", "velocity_window"}, "a constant of encoder_odometry.hpp");
   }
 };
 

@@ -27,33 +27,34 @@ constexpr auto choice_table(Restart) {
 }
 
 struct StopOptions {
+  /// after a wheel hung in the air: somebody looks where it stands (set by code alone)
   Restart wheel_drop = Restart::released;
+  /// after a cliff sensor saw no floor, likewise (set by code alone)
   Restart cliff = Restart::released;
   Restart bumper = Restart::released;
+  /// after wheels rotated otherwise than they were told: they would again (set by code alone)
   Restart runaway = Restart::released;
+  /// after wheels lagged behind or stood though they were told to rotate, likewise (set by code alone)
   Restart stall = Restart::released;
   Restart link = Restart::if_idle;
   Restart device = Restart::if_idle;
+  /// after the battery was empty: its voltage recovers without a charger (set by code alone)
   Restart battery = Restart::released;
   Restart charging = Restart::if_idle;
   double pause = 2.0;
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("wheel_drop", wheel_drop, {.doc = "restart after a wheel hung in the air"});
-    v("cliff", cliff, {.doc = "restart after a cliff sensor saw no floor"});
     v("bumper", bumper, {.doc = "restart after a bumper touched something"});
-    v("runaway", runaway, {.doc = "restart after wheels turned otherwise than they were told"});
-    v("stall", stall, {.doc = "restart after wheels lagged behind or stood though they were told to turn"});
     v("link", link, {.doc = "restart after the base was not heard"});
     v("device", device, {.doc = "restart after the base, or its driver, told of a fault"});
-    v("battery", battery, {.doc = "restart after the battery was empty"});
     v("charging", charging, {.doc = "restart after the charger was connected"});
     v("pause", pause,
       {.unit = "s",
        .min = 0.5,
        .max = 60,
        .doc = "so long it stands after a release, or after the last cause is over, and says so"});
+    v.retired({"wheel_drop", "cliff", "runaway", "stall", "battery"}, "always released, by stop_latch.hpp");
   }
 
   Restart of(StopCause cause) const;

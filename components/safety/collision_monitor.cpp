@@ -30,7 +30,7 @@ CollisionMonitor::CollisionMonitor(const Robot& robot, const CollisionMonitorOpt
       footprint_(own_),
       empty_sight_(options.sweep),
       watch_(Duration::seconds(options.source_timeout)),
-      hold_(Duration::seconds(options.clear_after), robot.limits.acc_max) {
+      hold_(Duration::seconds(options.kClearAfter), robot.limits.acc_max) {
   set_options(options);
 }
 
@@ -111,7 +111,7 @@ std::optional<std::string_view> CollisionMonitor::fault(Time now) {
     return fault_cause_;
   }
   if (latched_) return kWaitingForReset;
-  if (fault_at_ && (now - *fault_at_).to_seconds() < options_.clear_after) return fault_cause_;
+  if (fault_at_ && (now - *fault_at_).to_seconds() < options_.kClearAfter) return fault_cause_;
   fault_at_.reset();
   return std::nullopt;
 }

@@ -66,7 +66,8 @@ struct StoppingOptions {
 struct SightOptions {
   /// [rad] sector around the way of travel that must be seen
   static constexpr double kHalfAngle = 0.785;
-  double max_gap = 0.2;
+  /// [rad] a wider run of unknown beams there could hide somebody: legs and hips 0.3 m wide, 1.5 m away
+  static constexpr double kMaxGap = 0.2;
   /// share of unknown beams there beyond which the robot creeps
   static constexpr double kMaxUnknown = 0.3;
   double creep_speed = 0.1;
@@ -75,14 +76,13 @@ struct SightOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("max_gap", max_gap,
-      {.unit = "rad", .min = 0, .max = 6.3, .doc = "a wider run of unknown beams there could hide somebody"});
     v("creep_speed", creep_speed,
       {.unit = "m/s",
        .min = 0,
        .max = 2,
        .doc = "top speed into what the laser does not see; 0: the robot does not go there"});
-    v.retired({"half_angle", "max_unknown", "stop_unknown"}, "a constant of collision_monitor_options.hpp");
+    v.retired({"half_angle", "max_gap", "max_unknown", "stop_unknown"},
+              "a constant of collision_monitor_options.hpp");
   }
 };
 
@@ -94,7 +94,8 @@ constexpr auto choice_table(Resume) {
 struct CollisionMonitorOptions {
   double source_timeout = 0.25;
   double command_timeout = 0.2;
-  double clear_after = 0.4;
+  /// [s] a limit or a stop is eased so long after its cause: four sweeps of a laser at 10 Hz
+  static constexpr double kClearAfter = 0.4;
   Resume resume = Resume::automatic;
   StampedCmdVel enable_stamped_cmd_vel = StampedCmdVel::no;
   SweepOptions sweep;
@@ -111,11 +112,6 @@ struct CollisionMonitorOptions {
        .doc = "longest time without a sound sweep; at least two and a half periods of the laser"});
     v("command_timeout", command_timeout,
       {.unit = "s", .min = 0.02, .max = 1, .doc = "oldest command that is passed on"});
-    v("clear_after", clear_after,
-      {.unit = "s",
-       .min = 0,
-       .max = 10,
-       .doc = "a limit or a stop is eased so long after its cause; raise it against stop and go"});
     v("resume", resume,
       {.doc = "after a fault of the laser: by itself, or when collision_monitor/reset says so"});
     v("enable_stamped_cmd_vel", enable_stamped_cmd_vel,
@@ -125,6 +121,7 @@ struct CollisionMonitorOptions {
     v("sight", sight, {.doc = "where the robot drives it must see"});
     v("stopping", stopping, {.doc = "speed limited by the way that is free"});
     v("polygons", polygons, {.doc = "zones around the robot"});
+    v.retired({"clear_after"}, "a constant of collision_monitor_options.hpp");
   }
 };
 

@@ -107,7 +107,7 @@ double CollisionMonitor::sight_speed(double v, const Ahead& ahead) const {
   const Sight sight = sight_of(seen_, bearing, options.kHalfAngle);
   if (sight.unknown - sight.dark > options.kStopUnknown) return 0.0;
   const bool is_seen =
-      sight.covered >= kFreely && sight.unknown <= options.kMaxUnknown && sight.widest_gap <= options.max_gap;
+      sight.covered >= kFreely && sight.unknown <= options.kMaxUnknown && sight.widest_gap <= options.kMaxGap;
   return is_seen ? std::numeric_limits<double>::infinity() : options.creep_speed;
 }
 

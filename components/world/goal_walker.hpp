@@ -34,9 +34,11 @@ struct GoalWalkersOptions {
   double speed_min = 1.0;
   double speed_max = 1.3;
   double start_jitter = 0.0;
+  /// at the goal they walk back to the start, to and fro; else they stand there (set by code alone)
   bool turn_round = true;
   /// [m] nearer than this the goal is reached
   static constexpr double kGoalTolerance = 0.5;
+  /// [m] radius of the disc that counts as contact (set by code alone)
   double radius = 0.3;
 
   template <class Visitor>
@@ -50,10 +52,7 @@ struct GoalWalkersOptions {
     v("speed_max", speed_max, {.unit = "m/s", .min = 0, .max = 5, .doc = "largest of the desired speeds"});
     v("start_jitter", start_jitter,
       {.unit = "m", .min = 0, .max = 10, .doc = "starts are moved by up to this in x and y"});
-    v("turn_round", turn_round, {.doc = "at the goal walk back to the start, to and fro; else stand there"});
-    v("radius", radius,
-      {.unit = "m", .min = 0.05, .max = 2, .doc = "radius of the disc that counts as contact"});
-    v.retired({"goal_tolerance"}, "a constant of goal_walker.hpp");
+    v.retired({"goal_tolerance", "turn_round", "radius"}, "a constant of goal_walker.hpp");
   }
 
   std::optional<std::string> violated_rule() const {

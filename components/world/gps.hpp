@@ -3,7 +3,6 @@
 #pragma once
 
 #include <deque>
-#include <string>
 #include <vector>
 
 #include "components/model/random.hpp"
@@ -13,42 +12,35 @@
 
 namespace bw {
 
+/// Of a rectangle two opposite corners, in map [m].
 struct OutageZone {
   double x_min = 0.0;
   double y_min = 0.0;
   double x_max = 0.0;
   double y_max = 0.0;
-
-  template <class Visitor>
-  void fields(Visitor& v) {
-    v("x_min", x_min, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "one corner of the rectangle, in map"});
-    v("y_min", y_min, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "one corner of the rectangle, in map"});
-    v("x_max", x_max, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "other corner of the rectangle, in map"});
-    v("y_max", y_max, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "other corner of the rectangle, in map"});
-  }
 };
 
 struct GpsOptions {
   double rate = 1.0;
   double noise = 0.18;
+  /// [s] time from the measurement of a fix to its arrival (set by code alone)
   double latency = 0.0;
+  /// where there is no fix (set by code alone)
   std::vector<OutageZone> outage_zones;
   double datum_latitude = 21.0;
   double datum_longitude = 105.8;
-  std::string frame = "gps";
+  /// frame_id of the fixes, as the robot files have it
+  static constexpr const char* kFrame = "gps";
 
   template <class Visitor>
   void fields(Visitor& v) {
     v("rate", rate, {.unit = "Hz", .min = 0, .max = 100, .doc = "fixes per second; 0: no receiver"});
     v("noise", noise, {.unit = "m", .min = 0, .max = 100, .doc = "standard deviation of a fix per axis"});
-    v("latency", latency,
-      {.unit = "s", .min = 0, .max = 60, .doc = "time from the measurement of a fix to its arrival"});
-    v("outage_zones", outage_zones, {.doc = "where there is no fix"});
     v("datum_latitude", datum_latitude,
       {.unit = "deg", .min = -85, .max = 85, .doc = "latitude of the origin of map, WGS 84"});
     v("datum_longitude", datum_longitude,
       {.unit = "deg", .min = -180, .max = 180, .doc = "longitude of the origin of map, WGS 84"});
-    v("frame", frame, {.doc = "frame_id of the fixes"});
+    v.retired({"latency", "outage_zones", "frame"}, "a constant of gps.hpp");
   }
 };
 

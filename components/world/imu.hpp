@@ -1,8 +1,6 @@
 // An inertial unit that gives the turn rate (gyro) and the heading (compass), both with bias and white noise.
 #pragma once
 
-#include <string>
-
 #include "components/model/random.hpp"
 #include "runtime/base/field.hpp"
 #include "runtime/base/pose2.hpp"
@@ -16,7 +14,8 @@ struct ImuOptions {
   /// [rad] constant error of the compass (set by code alone)
   double heading_bias = 0.0;
   double heading_noise = 0.02;
-  std::string frame = "imu";
+  /// frame_id of the readings, as the robot files have it
+  static constexpr const char* kFrame = "imu";
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -27,7 +26,7 @@ struct ImuOptions {
       {.unit = "rad/s", .min = 0, .max = 1, .doc = "standard deviation of the turn rate"});
     v("heading_noise", heading_noise,
       {.unit = "rad", .min = 0, .max = 3.2, .doc = "standard deviation of the compass"});
-    v("frame", frame, {.doc = "frame_id of the readings"});
+    v.retired({"frame"}, "a constant of imu.hpp");
   }
 };
 

@@ -19,6 +19,7 @@ struct LaserOptions {
   double rate = 10.0;
   int beams = 720;
   double field_of_view = 4.71238898038469;
+  /// [m] nearer returns read -inf (set by code alone)
   double range_min = 0.05;
   double range_max = 20.0;
   double range_noise = 0.01;
@@ -30,10 +31,10 @@ struct LaserOptions {
     v("beams", beams, {.min = 2, .max = 20000, .doc = "number of beams of a scan"});
     v("field_of_view", field_of_view,
       {.unit = "rad", .min = 0.01, .max = 6.283185307179586, .doc = "angle from the first to the last beam"});
-    v("range_min", range_min, {.unit = "m", .min = 0, .max = 10, .doc = "nearer returns read -inf"});
     v("range_max", range_max, {.unit = "m", .min = 0.1, .max = 1000, .doc = "farther returns read +inf"});
     v("range_noise", range_noise, {.unit = "m", .min = 0, .max = 1, .doc = "standard deviation of a range"});
     v("frame", frame, {.doc = "frame_id of the scans"});
+    v.retired({"range_min"}, "a constant of laser_scanner.hpp");
   }
 
   std::optional<std::string> violated_rule() const {

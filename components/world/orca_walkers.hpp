@@ -25,16 +25,16 @@ struct OrcaWalkersOptions : GoalWalkersOptions {
   static constexpr double kWallHorizon = 1.0;
   /// [s] between two decisions, in which they keep velocity
   static constexpr double kPeriod = 0.1;
+  /// robots that they see (people_react) are trusted to do half of the avoiding; false: walkers do all
+  /// (set by code alone)
   bool robots_share = true;
 
   template <class Visitor>
   void fields(Visitor& v) {
     GoalWalkersOptions::fields(v);
-    v("robots_share", robots_share,
-      {.doc =
-           "robots that they see (people_react) are trusted to do half of the avoiding; false: walkers do all"});
-    v.retired({"margin", "neighbour_range", "max_neighbours", "horizon", "wall_horizon", "period"},
-              "a constant of orca_walkers.hpp");
+    v.retired(
+      {"margin", "neighbour_range", "max_neighbours", "horizon", "wall_horizon", "period", "robots_share"},
+      "a constant of orca_walkers.hpp");
   }
 };
 

@@ -25,8 +25,11 @@ struct ReplayOptions {
   double start_time = 0.0;
   /// [s] after this time of replay nobody is left (set by code alone)
   double duration = 1e6;
+  /// [m] origin of the recording in map (set by code alone)
   double x = 0.0;
+  /// [m] likewise (set by code alone)
   double y = 0.0;
+  /// [rad] angle of the recording in map (set by code alone)
   double theta = 0.0;
   /// [m] radius of the disc that counts as contact (set by code alone)
   double radius = 0.3;
@@ -35,10 +38,7 @@ struct ReplayOptions {
   void fields(Visitor& v) {
     v("start_time", start_time,
       {.unit = "s", .min = 0, .max = 1e6, .doc = "recorded time at which the world starts"});
-    v("x", x, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "origin of the recording in map"});
-    v("y", y, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "origin of the recording in map"});
-    v("theta", theta, {.unit = "rad", .min = -6.3, .max = 6.3, .doc = "turn of the recording in map"});
-    v.retired({"radius"}, "a constant of replayed_people.hpp");
+    v.retired({"radius", "x", "y", "theta"}, "a constant of replayed_people.hpp");
   }
 };
 

@@ -28,6 +28,7 @@ struct ScriptedPersonOptions {
   double speed = 1.0;
   double start_time = 0.0;
   bool turn_round = false;
+  /// [m] radius of the disc that counts as contact (set by code alone)
   double radius = 0.3;
 
   template <class Visitor>
@@ -37,8 +38,7 @@ struct ScriptedPersonOptions {
     v("start_time", start_time,
       {.unit = "s", .min = 0, .max = 1e6, .doc = "stands at the first waypoint until then"});
     v("turn_round", turn_round, {.doc = "walks back at the end, to and fro; else stands there"});
-    v("radius", radius,
-      {.unit = "m", .min = 0.05, .max = 2, .doc = "radius of the disc that counts as contact"});
+    v.retired({"radius"}, "a constant of scripted_people.hpp");
   }
 
   std::optional<std::string> violated_rule() const {

@@ -15,7 +15,7 @@ SocialWalkers::SocialWalkers(const SocialWalkersOptions& options, const StaticSc
                              std::uint32_t first_id, Random random)
     : options_(options), scene_(scene) {
   const SocialForceOptions& forces = options_.forces;
-  wall_reach_ = forces.obstacle_sigma * std::log(std::max(1.0, forces.obstacle_factor / kNegligible));
+  wall_reach_ = forces.obstacle_sigma * std::log(std::max(1.0, forces.kObstacleFactor / kNegligible));
   walkers_ = walkers_at_start<Walker>(options_, first_id, random);
   forces_.resize(walkers_.size());
 }

@@ -29,7 +29,7 @@ StaticObstacles shapes_in_map(const WorldOptions& options, const StaticObstacles
 World::World(const WorldOptions& options, const Robot& robot, const WorldFiles& files, std::uint64_t seed)
     : options_(options),
       robot_(robot),
-      step_(Duration::seconds(options.physics_step)),
+      step_(Duration::seconds(options.kPhysicsStep)),
       scene_(shapes_in_map(options, files.shapes), files.map),
       X_base_laser_(robot.mount_of(options.laser.frame)),
       legs_(options.people.legs) {
@@ -178,7 +178,7 @@ void World::move_people(double dt) {
 /// Whether a multiple of 1 / rate lies in the step that has just ended.
 bool World::due(double rate) const {
   constexpr double kRounding = 1e-9;
-  const double periods = rate * options_.physics_step;
+  const double periods = rate * options_.kPhysicsStep;
   const auto passed = [&](std::int64_t steps) {
     return std::floor(static_cast<double>(steps) * periods + kRounding);
   };
@@ -191,9 +191,9 @@ const WorldSample& World::step() {
   std::vector<bool> is_held_by_wall;
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     speed_before.push_back(std::abs(twist(i).v));
-    is_held_by_wall.push_back(robots_[i].drive.step(options_.physics_step, scene_));
+    is_held_by_wall.push_back(robots_[i].drive.step(options_.kPhysicsStep, scene_));
   }
-  move_people(options_.physics_step);
+  move_people(options_.kPhysicsStep);
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     robots_[i].contacts.step(time(), footprint(i), pose(i), speed_before[i], is_held_by_wall[i],
                              wall_gap(2.0 * ContactLog::kApart, i), others(i));

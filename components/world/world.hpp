@@ -2,7 +2,7 @@
 // unless the options name several. It knows no middleware, clock or file: it is stepped, and the same seed
 // and commands give the same bytes.
 //
-// One step of physics_step: the wheels follow the held commands, the poses their exact arcs, people move
+// One step of kPhysicsStep: the wheels follow the held commands, the poses their exact arcs, people move
 // (each group sees the groups before it), contacts are counted, and the sensors that are due read the new
 // state.
 #pragma once

@@ -66,7 +66,8 @@ struct PeopleOptions {
 struct WorldOptions {
   /// added to the seed of the run (set by code alone)
   std::int64_t seed_offset = 0;
-  double physics_step = 0.01;
+  /// [s] one step of the world: a tenth of the usual period of a scan
+  static constexpr double kPhysicsStep = 0.01;
   double encoder_rate = 50.0;
   double truth_rate = 50.0;
   StartOptions start;
@@ -87,7 +88,6 @@ struct WorldOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("physics_step", physics_step, {.unit = "s", .min = 0.001, .max = 0.1, .doc = "one step of the world"});
     v("encoder_rate", encoder_rate,
       {.unit = "Hz", .min = 0.1, .max = 1000, .doc = "encoder readings per second"});
     v("truth_rate", truth_rate,
@@ -114,14 +114,15 @@ struct WorldOptions {
       {.doc = "further laser scanners of each robot, such as one that looks back"});
     v("imu", imu, {.doc = "gyro and compass"});
     v("gps", gps, {.doc = "satellite receiver"});
+    v.retired({"physics_step"}, "a constant of world_options.hpp");
   }
 
   std::optional<std::string> violated_rule() const {
     for (const double rate : {encoder_rate, truth_rate, laser.rate, imu.rate, gps.rate}) {
-      if (rate * physics_step > 1.0 + 1e-9) return "no rate may exceed one per physics_step";
+      if (rate * kPhysicsStep > 1.0 + 1e-9) return "no rate may exceed 100 Hz, one per step of the world";
     }
     for (const MoreLaserOptions& one : more_lasers) {
-      if (one.rate * physics_step > 1.0 + 1e-9) return "no rate may exceed one per physics_step";
+      if (one.rate * kPhysicsStep > 1.0 + 1e-9) return "no rate may exceed 100 Hz, one per step of the world";
       const auto is_same = [&](const MoreLaserOptions& other) { return other.topic == one.topic; };
       if (one.topic.empty() || one.topic == "scan" || std::ranges::count_if(more_lasers, is_same) > 1)
         return "each of more_lasers must have a topic of its own";

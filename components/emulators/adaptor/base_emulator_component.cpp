@@ -32,14 +32,14 @@ class BaseEmulatorComponent final : public Component {
   void configure(Setup& setup) override {
     options_ = setup.parameters<BaseEmulatorOptions>(
         [this](const BaseEmulatorOptions& changed, const Tick&) { options_.faults = changed.faults; },
-        {"kobuki", "eddie", "bumper_gap"});
+        {"eddie"});
     robot_ = setup.shared<Robot>("robot");
     firmware_ = make_firmware(options_, robot_, robot_.base.driver, setup.seed());
     unknown_device_ =
         make_firmware(options_, robot_, robot_.base.driver == "eddie" ? "kobuki" : "eddie", setup.seed());
     line_.emplace(setup.seed() + 1);
     link_ = emulator_link(setup, "base");
-    body_.emplace(setup, inscribed_radius(robot_.outline()), options_.bumper_gap, firmware_->beams());
+    body_.emplace(setup, inscribed_radius(robot_.outline()), options_.kBumperGap, firmware_->beams());
     wheels_ = setup.command<sensor_msgs::msg::JointState>("sim/wheel_commands");
     setup.input<bandwagon_msgs::msg::WheelTicks>("sim/wheel_ticks", Qos::standard(),
                                                  [this](const auto& ticks, const Tick& tick) {

@@ -11,18 +11,17 @@
 namespace bw {
 
 struct BaseEmulatorOptions {
-  emulators::KobukiOptions kobuki;
+  emulators::KobukiOptions kobuki;  ///< a Kobuki's firmware, where robot.base.driver is kobuki
   emulators::EddieOptions eddie;
-  double bumper_gap = 0.01;
+  /// [m] what comes this near to the rim presses a bumper: the wall that stops the body touches it
+  static constexpr double kBumperGap = 0.01;
   emulators::Faults faults;
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("kobuki", kobuki, {.doc = "a Kobuki's firmware, where robot.base.driver is kobuki"});
-    v("eddie", eddie, {.doc = "an Eddie's, where it is eddie"});
-    v("bumper_gap", bumper_gap,
-      {.unit = "m", .min = 0, .max = 0.1, .doc = "what comes this near to the rim presses a bumper"});
+    v("eddie", eddie, {.doc = "an Eddie's firmware, where robot.base.driver is eddie"});
     v("faults", faults, {.doc = "what is wrong with it"});
+    v.retired({"kobuki", "bumper_gap"}, "a constant of kobuki_options.hpp, emulator_options.hpp");
   }
 };
 

@@ -48,7 +48,7 @@ class LaserEmulatorComponent final : public Component {
   void configure(Setup& setup) override {
     const auto options = setup.parameters<LaserEmulatorOptions>(
         [this](const LaserEmulatorOptions& changed, const Tick&) { faults_ = changed.faults; },
-        {"model", "rate", "sample_time", "spin_up", "range_noise"});
+        {"rate", "sample_time", "spin_up"});
     faults_ = options.faults;
     device_.emplace(options.device, setup.seed());
     link_ = emulator_link(setup, "laser");

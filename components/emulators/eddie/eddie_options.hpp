@@ -26,6 +26,7 @@ constexpr auto choice_table(SpeedUnit) {
 struct EddieOptions {
   EddieBoard board = EddieBoard::quadrature;
   SpeedUnit speed_unit = SpeedUnit::per_second;
+  /// it knows WATCH, and stops when nothing is heard for 1 s (set by code alone)
   bool has_watch = true;
   /// the parameter of WATCH is that time in seconds, as in the open firmware (set by code alone)
   bool watch_in_seconds = false;
@@ -46,8 +47,8 @@ struct EddieOptions {
     v("board", board, {.doc = "position_controller (36 positions a turn) or quadrature (144)"});
     v("speed_unit", speed_unit,
       {.doc = "what GOSPD and SPD count in: positions per second or per half of one"});
-    v("has_watch", has_watch, {.doc = "it knows WATCH, and stops when nothing is heard for 1 s"});
-    v.retired({"watch_in_seconds", "ping_units_per_mm", "battery"}, "a constant of eddie_options.hpp");
+    v.retired({"has_watch", "watch_in_seconds", "ping_units_per_mm", "battery"},
+              "a constant of eddie_options.hpp");
   }
 };
 

@@ -76,7 +76,7 @@ std::span<const std::uint8_t> KobukiFirmware::step(Time now, const Body& body) {
   const bool is_charging = body.charger != Charger::none && !battery_.is_full();
   battery_.step(
       is_charging ? kChargingCurrent : kElectronics + motors_.left().current + motors_.right().current, dt);
-  const double uptime = (now - *started_).to_seconds() * (1.0 + options_.clock_error) * 1000.0;
+  const double uptime = (now - *started_).to_seconds() * 1000.0;
   const auto due = static_cast<std::int64_t>(std::floor(uptime / kPeriod + 1e-6));
   if (due < packets_sent_) return out_;
   // What was due and not sent is never sent: a board that was held up goes on from now.

@@ -6,7 +6,6 @@
 
 #include "components/emulators/battery.hpp"
 #include "components/emulators/wheel_controller.hpp"
-#include "runtime/base/field.hpp"
 
 namespace bw::emulators {
 
@@ -26,8 +25,8 @@ struct KobukiGyroOptions {
 };
 
 struct KobukiOptions {
+  /// [s] without a base command for so long it stops; 0: never, as is to be assumed (set by code alone)
   double stops_by_itself = 0.0;
-  double clock_error = 0.0;
   /// [ms] of its clock at the start; near 65536 to see it wrap (set by code alone)
   std::int64_t first_stamp = 0;
   /// of both encoders at the start; near 65536 to see them wrap (set by code alone)
@@ -36,21 +35,10 @@ struct KobukiOptions {
   double wheelbase = 0.230;
   /// [m] likewise (set by code alone)
   double wheel_radius = 0.035;
+  /// from a base command to rotating wheels (set by code alone)
   WheelControllerOptions wheels;
   KobukiGyroOptions gyro;
   BatteryOptions battery;
-
-  template <class Visitor>
-  void fields(Visitor& v) {
-    v("stops_by_itself", stops_by_itself,
-      {.unit = "s",
-       .min = 0,
-       .max = 60,
-       .doc = "without a base command for so long it stops; 0: never, as is to be assumed"});
-    v("clock_error", clock_error, {.min = -0.01, .max = 0.01, .doc = "its clock goes fast by this share"});
-    v("wheels", wheels, {.doc = "from a base command to turning wheels"});
-    v.retired({"wheel_radius", "gyro", "battery"}, "a constant of kobuki_options.hpp");
-  }
 };
 
 }  // namespace bw::emulators

@@ -31,6 +31,7 @@ struct LaserView {
 };
 
 struct RplidarDeviceOptions {
+  /// as it names itself: 24 an A1, 40 an A2, 97 an S1 (set by code alone)
   std::int64_t model = 0x18;
   double rate = 7.0;
   double sample_time = 500e-6;
@@ -39,6 +40,7 @@ struct RplidarDeviceOptions {
   double range_min = 0.15;
   /// [m] farther things give no measurement (set by code alone)
   double range_max = 12.0;
+  /// [m] standard deviation, beside that of what it is shown (set by code alone)
   double range_noise = 0.0;
   /// 0 good, 1 warning, 2 error: refuses to scan (set by code alone)
   std::int64_t health = 0;
@@ -47,7 +49,6 @@ struct RplidarDeviceOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("model", model, {.min = 0, .max = 255, .doc = "as it names itself: 24 an A1, 40 an A2, 97 an S1"});
     v("rate", rate, {.unit = "Hz", .min = 0.5, .max = 20, .doc = "revolutions per second at full speed"});
     v("sample_time", sample_time,
       {.unit = "s",
@@ -56,28 +57,28 @@ struct RplidarDeviceOptions {
        .doc = "from one measurement to the next: 500 us an A1, 250 us an A2"});
     v("spin_up", spin_up,
       {.unit = "s", .min = 0, .max = 10, .doc = "until the head turns steadily; no measurements before"});
-    v("range_noise", range_noise,
-      {.unit = "m", .min = 0, .max = 1, .doc = "standard deviation, beside that of what it is shown"});
-    v.retired({"range_min", "range_max", "health", "health_code"}, "a constant of rplidar_device.hpp");
+    v.retired({"model", "range_noise", "range_min", "range_max", "health", "health_code"},
+              "a constant of rplidar_device.hpp");
   }
 };
 
 struct RplidarFaults {
   bool silent = false;
+  /// what it sends is noise, as with a wrong baud (set by code alone)
   bool garbage = false;
+  /// share of bytes with a flipped bit (set by code alone)
   double corrupt = 0.0;
+  /// share of bytes that are lost (set by code alone)
   double lost = 0.0;
+  /// answers as a model that nobody knows (set by code alone)
   bool other_model = false;
   double slow = 1.0;
 
   template <class Visitor>
   void fields(Visitor& v) {
     v("silent", silent, {.doc = "neither answers nor measures"});
-    v("garbage", garbage, {.doc = "what it sends is noise, as with a wrong baud"});
-    v("corrupt", corrupt, {.min = 0, .max = 1, .doc = "share of bytes with a flipped bit"});
-    v("lost", lost, {.min = 0, .max = 1, .doc = "share of bytes that are lost"});
-    v("other_model", other_model, {.doc = "answers as a model that nobody knows"});
     v("slow", slow, {.min = 0, .max = 2, .doc = "factor of the speed of the head; 0: it stands"});
+    v.retired({"garbage", "corrupt", "lost", "other_model"}, "set by code alone, in rplidar_device.hpp");
   }
 };
 

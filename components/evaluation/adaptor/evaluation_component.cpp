@@ -82,7 +82,7 @@ class EvaluationComponent final : public Component {
           judge_->recorder().set_shapes(to_obstacles(message, Pose2{}));
         },
         Need::optional);
-    setup.every(Duration::seconds(1.0 / parameters_.rate), "score_card", [this](const Tick& tick) {
+    setup.every(Duration::seconds(1.0 / parameters_.kRate), "score_card", [this](const Tick& tick) {
       if (judge_->running()) publish(tick);
     });
     setup.every(Duration::milliseconds(100), "comfort",

@@ -95,7 +95,7 @@ std::function<void()> clearing(Setup& setup, const std::string& name,
                                const Nav2ServersParameters& parameters) {
   const auto client = setup.client<Service>(name, Need::optional);
   return [client, &parameters] {
-    if (parameters.clear_costmaps && client.is_ready())
+    if (client.is_ready())
       client.call({}, patience(parameters), [](const typename Service::Response*, const Tick&) {});
   };
 }

@@ -51,8 +51,8 @@ BaseFacts Eddie::facts() const {
   return {.has_battery = true,
           .response = 0.25,
           .velocity_window = options_.velocity_window,
-          .battery_low = options_.battery_low,
-          .battery_empty = options_.battery_empty};
+          .battery_low = options_.kBatteryLow,
+          .battery_empty = options_.kBatteryEmpty};
 }
 
 void Eddie::begin_session(Time now) {

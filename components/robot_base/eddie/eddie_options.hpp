@@ -41,8 +41,10 @@ struct EddieOptions {
   double infrared_power = 1.1904;
   /// [V] of ADC channel 8, behind its divider (set by code alone)
   double supply_volts_per_unit = 3.21 / 819.0;
-  double battery_low = 11.5;
-  double battery_empty = 10.8;
+  /// [V] warned of below, of a lead battery of 12 V; robot_base.battery sets others
+  static constexpr double kBatteryLow = 11.5;
+  /// [V] not driven below, likewise: six cells of 1.8 V
+  static constexpr double kBatteryEmpty = 10.8;
 
   std::optional<std::string> violated_rule() const {
     if (sonar_pins.size() != sonar_frames.size()) return "sonar_pins and sonar_frames must be as many";
@@ -91,10 +93,9 @@ struct EddieOptions {
        .doc = "range at 1 V: range = infrared_scale * volts ^ -infrared_power"});
     v("infrared_power", infrared_power,
       {.min = 0.1, .max = 5, .doc = "as above; the defaults suit a Sharp GP2Y0A02"});
-    v("battery_low", battery_low, {.unit = "V", .min = 0, .max = 60, .doc = "warned of below"});
-    v("battery_empty", battery_empty, {.unit = "V", .min = 0, .max = 60, .doc = "not driven below"});
-    v.retired({"reply_timeout", "silence", "rates", "supply_volts_per_unit"},
-              "a constant of eddie_options.hpp");
+    v.retired(
+      {"reply_timeout", "silence", "rates", "supply_volts_per_unit", "battery_low", "battery_empty"},
+      "a constant of eddie_options.hpp");
   }
 };
 

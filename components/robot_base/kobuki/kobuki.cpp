@@ -189,7 +189,7 @@ LinkState Kobuki::heard(Time now, const LinkState& cable) {
   if (session_.heard && *session_.heard > now) session_.heard = now;
   if (session_.opened > now) session_.opened = now;
   const Duration silence = now - session_.heard.value_or(session_.opened);
-  if (silence < Duration::seconds(options_.silence) && is_recognised()) return link;
+  if (silence < Duration::seconds(options_.kSilence) && is_recognised()) return link;
   link.is_open = false;
   link.fault = unknown_device_.is_heard() ? "no packet of a Kobuki, but bytes: " + unknown_device_.likeness()
                                           : "no packet of a Kobuki: nothing comes; is the base switched on?";
@@ -226,7 +226,7 @@ bool Kobuki::command(Time now, const WheelSpeeds& wheels) {
   const WheelSpeeds by_firmware = {wheels.left * kFirmwareRadius / radii_.left,
                                    wheels.right * kFirmwareRadius / radii_.right};
   const SpeedAndRadius motion =
-      is_recognised() ? speed_and_radius(by_firmware, options_.firmware_separation) : SpeedAndRadius{};
+      is_recognised() ? speed_and_radius(by_firmware, options_.kFirmwareSeparation) : SpeedAndRadius{};
   const bool is_sudden_stop = motion == SpeedAndRadius{} && session_.motion != motion;
   if (session_.written && *session_.written > now) session_.written = now;
   const bool is_due = session_.was_heard_since_write || is_sudden_stop || !session_.written ||

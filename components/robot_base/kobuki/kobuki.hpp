@@ -27,24 +27,16 @@ struct GainOptions {
 };
 
 struct KobukiOptions {
-  double firmware_separation = 0.230;
-  double silence = 0.1;
+  /// [m] by which the firmware turns speed and radius into wheels, of its protocol; the robot's own is
+  /// wheel_separation
+  static constexpr double kFirmwareSeparation = 0.230;
+  /// [s] without a packet after which the base counts as lost: five that are missing, one comes every 0.02 s
+  static constexpr double kSilence = 0.1;
   GainOptions gains;
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("firmware_separation", firmware_separation,
-      {.unit = "m",
-       .min = 0.1,
-       .max = 0.5,
-       .doc =
-           "by which the firmware turns speed and radius into wheels; the robot's own is wheel_separation"});
-    v("silence", silence,
-      {.unit = "s",
-       .min = 0.04,
-       .max = 1,
-       .doc = "without a packet (one comes every 0.02 s) after which the base counts as lost"});
-    v.retired({"gains"}, "a constant of kobuki.hpp");
+    v.retired({"firmware_separation", "silence", "gains"}, "a constant of kobuki.hpp");
   }
 };
 

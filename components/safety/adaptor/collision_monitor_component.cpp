@@ -40,7 +40,7 @@ class CollisionMonitorComponent final : public Component {
   void configure(Setup& setup) override {
     options_ = setup.parameters<safety::CollisionMonitorOptions>(
         [this](const safety::CollisionMonitorOptions& changed, const Tick&) { use(changed); },
-        {"enable_stamped_cmd_vel", "source_timeout", "clear_after", "resume", "sweep"});
+        {"enable_stamped_cmd_vel", "source_timeout", "resume", "sweep"});
     robot_ = setup.shared<Robot>("robot");
     monitor_.emplace(robot_, options_);
     footprint_.listen(setup, robot_, [this](const Footprint& now) { monitor_->set_footprint(now); });

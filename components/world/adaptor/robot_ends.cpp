@@ -31,8 +31,8 @@ RobotEnds::RobotEnds(Setup& setup, World& world, std::size_t robot, const std::s
   imu_ = setup.output<sensor_msgs::msg::Imu>(below + "imu");
   fix_ = setup.output<sensor_msgs::msg::NavSatFix>(below + "gps/fix");
   base_frame_ = setup.frame(below + "base_link");
-  imu_frame_ = setup.frame(below + options.imu.frame);
-  gps_frame_ = setup.frame(below + options.gps.frame);
+  imu_frame_ = setup.frame(below + ImuOptions::kFrame);
+  gps_frame_ = setup.frame(below + GpsOptions::kFrame);
   scan_message_.header().frame_id(setup.frame(below + options.laser.frame));
 }
 

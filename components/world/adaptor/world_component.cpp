@@ -77,7 +77,7 @@ class WorldComponent final : public Component {
   /// The base tells where the robot's sensors sit; those that the robot does not list sit at base_link.
   void place_unlisted_sensors(const Setup& setup, const Robot& robot, const std::string& name) {
     const std::string below = name.empty() ? "" : name + "/";
-    std::vector<std::string> frames = {options_.laser.frame, options_.imu.frame, options_.gps.frame};
+    std::vector<std::string> frames = {options_.laser.frame, ImuOptions::kFrame, GpsOptions::kFrame};
     for (const MoreLaserOptions& one : options_.more_lasers) frames.push_back(one.frame);
     for (const std::string& frame : frames)
       if (!robot.has_mount_of(frame))

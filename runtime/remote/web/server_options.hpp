@@ -12,8 +12,10 @@ namespace bw::web {
 
 /// What a client may take of the server. Defaults are for a robot on which people look with a few browsers.
 struct Limits {
-  int connections = 256;  ///< open at a time, HTTP and sockets; more are closed at once
-  int sockets = 160;      ///< WebSockets among them; more are refused with 503
+  /// open at a time, HTTP and sockets; more are closed at once (set by code alone)
+  int connections = 256;
+  /// WebSockets among them; more are refused with 503 (set by code alone)
+  int sockets = 160;
   double handshakes_per_second =
       100;  ///< of WebSockets, after a burst of twice as many; more are refused with 503
   double header_time =
@@ -28,8 +30,10 @@ struct Limits {
   int header_bytes = 16 << 10;
   /// of a request: more is 413 (set by code alone)
   int body_bytes = 4 << 10;
-  int message_bytes = 4 << 20;  ///< of a message from a socket: more closes it with code 1009
-  int queued_bytes = 8 << 20;   ///< of data for one socket, before older frames are left out
+  /// of a message from a socket: more closes it with code 1009 (set by code alone)
+  int message_bytes = 4 << 20;
+  /// of data for one socket, before older frames are left out (set by code alone)
+  int queued_bytes = 8 << 20;
   /// the same (set by code alone)
   int queued_frames = 1024;
   /// of answers and announcements for one socket, before it is closed (set by code alone)
@@ -40,21 +44,18 @@ struct Limits {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("connections", connections, {.min = 1, .max = 10000, .doc = "open at a time"});
-    v("sockets", sockets, {.min = 1, .max = 10000, .doc = "WebSockets among them"});
-    v("message_bytes", message_bytes,
-      {.unit = "byte", .min = 1024, .max = 1 << 30, .doc = "of a message from a socket"});
-    v("queued_bytes", queued_bytes,
-      {.unit = "byte", .min = 1024, .max = 1 << 30, .doc = "of data for one socket, then older ones go"});
     v("login_attempts", login_attempts,
       {.min = 1, .max = 1000, .doc = "wrong tokens of one address within a minute"});
+    v.retired({"connections", "sockets", "message_bytes", "queued_bytes"},
+              "a constant of server_options.hpp");
   }
 };
 
 struct ServerOptions {
   std::string address = "127.0.0.1";    ///< of this machine, as a number
   int port = 8765;                      ///< 0: any free one
-  int port_tries = 20;                  ///< this many ports are tried, from `port` on
+  /// this many ports are tried, from `port` on (set by code alone)
+  int port_tries = 20;
   std::vector<std::string> host_names;  ///< by which clients call this machine, beside numbers; for --listen
   std::vector<std::string>
       allow_origins;       ///< pages of elsewhere that may do what others may: https://app.foxglove.dev
@@ -69,7 +70,6 @@ struct ServerOptions {
   void fields(Visitor& v) {
     v("address", address, {.doc = "where to listen; not a loopback one: token_file is needed"});
     v("port", port, {.min = 0, .max = 65535, .first = true, .doc = "0: any free one"});
-    v("port_tries", port_tries, {.min = 1, .max = 1000, .doc = "how many ports to try where it is taken"});
     v("host_names", host_names, {.doc = "names of this machine that clients may use, beside addresses"});
     v("allow_origins", allow_origins, {.doc = "pages of elsewhere that may connect"});
     v("token_file", token_file,
@@ -78,6 +78,7 @@ struct ServerOptions {
     v("allow_commands", allow_commands, {.doc = "clients of other machines may command"});
     v("bag_folder", bag_folder, {.path = true, .doc = "recordings that the page may open"});
     v("limits", limits, {.doc = "what a client may take"});
+    v.retired({"port_tries"}, "a constant of server_options.hpp");
   }
 };
 

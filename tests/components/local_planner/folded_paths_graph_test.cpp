@@ -69,7 +69,7 @@ TEST(FoldedPaths, AreDrivenOutAndBackByFollowPath) {
   }
 }
 
-// 3 m out, 5 m back: 8 s at 1 m/s and 5 s more; twice that. Each pose is passed within via_radius, 0.7 m, in
+// 3 m out, 5 m back: 8 s at 1 m/s and 5 s more; twice that. Each pose is passed within kViaRadius, 0.7 m, in
 // its turn.
 TEST(FoldedPaths, PosesOnOneLineArePassedInTheirOrder) {
   const std::vector<Vector2> positions = {{6, 0}, {3, 0}, {1, 0}};

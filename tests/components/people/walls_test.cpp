@@ -71,7 +71,7 @@ TEST(WallsOfPredictions, WhoWalksAtAWallStopsBeforeIt) {
   const SocialForceOptions forces;
   const double rest = kWall - track.radius() -
                       forces.obstacle_sigma *
-                          std::log(forces.obstacle_factor * forces.kRelaxationTime / track.velocity().x());
+                          std::log(forces.kObstacleFactor * forces.kRelaxationTime / track.velocity().x());
   EXPECT_NEAR(end_of(track), rest, 0.1);
   EXPECT_NEAR(rest, kWall - 1.6, 0.1);
 }

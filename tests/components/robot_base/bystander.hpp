@@ -43,7 +43,7 @@ class Bystander {
     remember(scene, output);
     const double v = output.wheels.left;
     object(!(std::isfinite(v) && v == output.wheels.right), "not one finite speed");
-    object(v > kSpeed + kHair || v < -options_.contacts.speed - kHair, "faster than anybody asked for");
+    object(v > kSpeed + kHair || v < -options_.contacts.kSpeed - kHair, "faster than anybody asked for");
     if (v < 0.0) look_back(scene, output);
     look_at_rest(scene, output);
     look_at_changes(scene, v);
@@ -94,7 +94,7 @@ class Bystander {
 
   void look_back(const Scene& scene, const BaseOutput& output) {
     // A step of the clock costs a tenth of a second of odometry.
-    const double not_measured = 0.1 * options_.contacts.speed;
+    const double not_measured = 0.1 * options_.contacts.kSpeed;
     if (speed_ >= 0.0) {
       back_seconds_ = 0.0;
       back_metres_ = stepped_ < 0.15 ? -not_measured : 0.0;

@@ -178,7 +178,7 @@ TEST(CollisionMonitorComponent, StopsOnASilentLaserUntilItIsBackForAWhile) {
   const Drive drive = run(4.0, 0.8, ahead, laser);
   EXPECT_EQ(drive.at(1.24).twist.v, 0.8);
   EXPECT_EQ(drive.at(1.26).twist, Twist2{});
-  EXPECT_EQ(drive.at(2.3).twist, Twist2{});  // clear_after is 0.4 s
+  EXPECT_EQ(drive.at(2.3).twist, Twist2{});  // kClearAfter is 0.4 s
   EXPECT_EQ(drive.at(2.5).twist.v, 0.8);
 }
 

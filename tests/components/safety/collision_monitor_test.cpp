@@ -100,7 +100,7 @@ TEST(CollisionMonitor, TakesOtherZonesWhileItRuns) {
   EXPECT_NEAR(verdict.allowed.v, 0.2, 1e-9);
   options.polygons[0].enabled = false;
   bench.monitor.set_options(options);
-  const Verdict held = bench.run(0.02, sweep, {0.6, 0.0});  // a limit is eased clear_after later
+  const Verdict held = bench.run(0.02, sweep, {0.6, 0.0});  // a limit is eased kClearAfter later
   EXPECT_EQ(held.cause, kStoppingDistance);
   EXPECT_NEAR(held.allowed.v, 0.2, 1e-9);
   EXPECT_EQ(bench.run(2.0, sweep, {0.6, 0.0}).allowed.v, 0.6);

@@ -9,7 +9,7 @@ namespace bw::safety::test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kBlind = 0.12;  // [rad] to either side: more than half of what sight.max_gap lets pass
+constexpr double kBlind = 0.12;  // [rad] to either side: more than half of what SightOptions::kMaxGap lets pass
 constexpr float kNothing = std::numeric_limits<float>::infinity();
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 

@@ -34,7 +34,7 @@ TEST(WorldBesideHardware, IsRefusedAndBothWaysOutAreSaid) {
 TEST(WorldBesideHardware, SimulatedAndEmulatedBasesAreNone) {
   EXPECT_NO_THROW(run_world("{driver: simulated}"));
   EXPECT_NO_THROW(run_world("{driver: simulated, port: /dev/kobuki}"));
-  EXPECT_NO_THROW(run_world("{driver: kobuki, port: emulator, silence: 0.2}"));
+  EXPECT_NO_THROW(run_world("{driver: kobuki, port: emulator, baud: 115200}"));
 }
 
 }  // namespace

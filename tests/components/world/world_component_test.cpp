@@ -130,7 +130,6 @@ TEST(WorldComponent, ReadsAHallwayOfWalkersFromYaml) {
           speed_min: 1.0
           speed_max: 1.3
           start_jitter: 0.3
-          turn_round: true
           walkers:
             - {x: 4, y: 1, goal_x: 18, goal_y: 1}
             - {x: 5, y: 0, goal_x: 18, goal_y: 0}

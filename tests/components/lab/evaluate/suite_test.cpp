@@ -18,7 +18,7 @@ class SuiteFile : public testing::Test {
   void SetUp() override {
     folder_ = std::filesystem::path(testing::TempDir()) / "bandwagon_suite_test";
     std::filesystem::create_directories(folder_);
-    std::ofstream(folder_ / "graph.yaml") << "components:\n  world:\n    parameters: {physics_step: 0.01}\n";
+    std::ofstream(folder_ / "graph.yaml") << "components:\n  world:\n    parameters: {truth_rate: 20.0}\n";
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
@@ -54,7 +54,7 @@ TEST_F(SuiteFile, AppliesItsOverridesThenTheEpisodesOwn) {
   const Graph a = suite.graph_of(0);
   const ConfigNode& parameters = a.find("world")->parameters;
   EXPECT_EQ(parameters.find("people_react")->scalar, "false");
-  EXPECT_EQ(parameters.find("physics_step")->scalar, "0.01");
+  EXPECT_EQ(parameters.find("truth_rate")->scalar, "20.0");
   EXPECT_EQ(parameters.find("map")->scalar, "/somewhere/map.yaml");
   // Files are relative to the suite, not to the folder somebody happens to be in.
   const ConfigNode& tracks = *parameters.find("tracks");
