@@ -166,7 +166,7 @@ TEST(BehaviorDrive, ThePlannerIsHeardBeforeAndAQuarterOfASecondAfterIt) {
 TEST(BehaviorDrive, SomebodyWhoWalksIntoTheWayEndsItWithoutContact) {
   Attempt attempt;
   Room room;
-  room.people = "{waypoints: [{x: 1.4, y: -2.5}, {x: 1.4, y: 2.5}], speed: 1.0, radius: 0.3}";
+  room.people = "{waypoints: [{x: 1.4, y: -2.5}, {x: 1.4, y: 2.5}], speed: 1.0}";
   room.acts[10] = [&](const Clients& c) {
     send_goal(c.drive, drive_goal<Nav2::DriveOnHeading>(3.0, 0.6, 20.0), attempt);
   };

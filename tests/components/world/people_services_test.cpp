@@ -35,7 +35,7 @@ PushPerson::Request push(std::uint32_t id, double vx) {
 TEST(PeopleServices, WhoIsAddedAndPushedIsInTheGroundTruth) {
   const std::string world =
       "components: {world: {inputs: {sim/wheel_commands: {external: true}}, parameters: {people_react: false, "
-      "people: {scripted: [{waypoints: [{x: 5, y: 5}]}], social: {radius: 0.25}}}}}";
+      "people: {scripted: [{waypoints: [{x: 5, y: 5}]}]}}}}";
   AddPerson::Request walker = person_at(-3.0, -3.0);
   walker.use_goal(true);
   walker.goal(to_point({3.0, -3.0}));
@@ -74,7 +74,7 @@ TEST(PeopleServices, WhoIsAddedAndPushedIsInTheGroundTruth) {
   };
   EXPECT_EQ(of(1).position().x(), 5.0);
   EXPECT_NEAR(of(2).position().x(), 4.5, 2e-3);  // after 3 s, six times the time in which it fades
-  EXPECT_EQ(of(2).radius(), 0.25);
+  EXPECT_EQ(of(2).radius(), 0.3);
   EXPECT_EQ(of(3).radius(), 0.4);
   EXPECT_GT(of(3).velocity().x(), 0.9);
 }
