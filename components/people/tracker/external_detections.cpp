@@ -60,7 +60,7 @@ double believed(double belief, double reliability, const ExternalDetectionOption
 NearLegs legs_near(const Vector2& position, double now, const std::vector<ClusterTrack>& clusters,
                    const ExternalDetectionOptions& options) {
   std::vector<int> near;
-  const double reach = 2.0 * options.position_deviation;
+  const double reach = 2.0 * options.kPositionDeviation;
   for (std::size_t i = 0; i < clusters.size(); ++i) {
     const Sighting& last = clusters[i].last();
     if (now - last.time <= options.kSeen && last.human_score() >= options.kLegScore &&
