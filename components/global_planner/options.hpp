@@ -9,10 +9,10 @@ struct GlobalPlannerOptions {
   double clearance_range = 1.0;     ///< paths keep this far from obstacles where there is room [m]
   double clearance_weight = 3.0;    ///< a metre at the smallest clearance costs 1 + this many free metres
   bool unknown_is_obstacle = true;  ///< never plan through cells nobody has seen
-  int occupied_at = 65;             ///< smallest occupancy that is an obstacle
+  static constexpr int kOccupiedAt = 65;  ///< smallest occupancy of a map cell that is an obstacle
   /// a start too close to an obstacle moves to a free cell this near [m] (set by code alone)
   double start_tolerance = 0.5;
-  double goal_tolerance = 0.25;     ///< a goal that cannot be reached moves to a free cell this near [m]
+  double goal_tolerance = 0.25;  ///< a goal that cannot be reached moves to a free cell this near [m]
   /// distance between the poses of a path [m]
   static constexpr double kSpacing = 0.1;
 
@@ -24,8 +24,7 @@ struct GlobalPlannerOptions {
     v("clearance_weight", clearance_weight,
       {.min = 0, .max = 10, .doc = "price of closeness; raise it to stay in the middle of corridors"});
     v("unknown_is_obstacle", unknown_is_obstacle, {.doc = "never plan through cells nobody has seen"});
-    v("occupied_at", occupied_at,
-      {.min = 1, .max = 100, .doc = "smallest occupancy of a map cell that is an obstacle"});
+    v.retired({"occupied_at"}, "a constant of options.hpp");
   }
 
   template <class Visitor>

@@ -56,7 +56,7 @@ void SearchGrid::build(const OccupancyGrid& map, const Footprint& footprint,
 }
 
 void SearchGrid::take_map(const OccupancyGrid& map, const GlobalPlannerOptions& options) {
-  const ObstacleRule rule{.occupied_at = options.occupied_at,
+  const ObstacleRule rule{.occupied_at = options.kOccupiedAt,
                           .unknown_is_obstacle = options.unknown_is_obstacle};
   const std::vector<float> distance = distance_field(map, rule);
   for (int row = 0; row < map.height; ++row) {

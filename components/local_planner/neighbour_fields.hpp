@@ -1,5 +1,4 @@
-// Whom a rule of velocities looks at: the fields that hrvo and orca have in common, each with defaults of its
-// own.
+// What hrvo and orca have in common: the fields, each with defaults of its own.
 #pragma once
 
 namespace bw {
@@ -11,11 +10,13 @@ void neighbour_fields(Options& o, Visitor& v) {
      .min = 0,
      .max = 5,
      .doc = "added to the sum of the radii; raise it when the base follows velocities slowly"});
-  v("neighbour_range", o.neighbour_range,
+  v("lookahead", o.lookahead,
     {.unit = "m",
-     .min = 0.1,
-     .max = 100,
-     .doc = "neighbours further away are not looked at; lower it when the robot yields too early"});
+     .min = 0.2,
+     .max = 50,
+     .doc = "the planner of this name aims at the point of the plan this far ahead; lower it to keep closer "
+            "to the plan"});
+  v.retired({"neighbour_range", "reciprocity"}, "set by code alone, in the options of the planner");
 }
 
 }  // namespace bw

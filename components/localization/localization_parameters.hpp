@@ -83,24 +83,17 @@ struct InitialPoseParameters {
   double x = 0.0;
   double y = 0.0;
   double yaw = 0.0;
-  double position_sigma = 0.5;
-  double yaw_sigma = 0.26;
+  /// [m] standard deviation of the position per axis, also of a clicked pose that has none: amcl's, 0.25 m^2
+  static constexpr double kPositionSigma = 0.5;
+  /// [rad] standard deviation of the heading, likewise: amcl's, (pi/12)^2
+  static constexpr double kYawSigma = 0.26;
 
   template <class Visitor>
   void fields(Visitor& v) {
     v("x", x, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "in map"});
     v("y", y, {.unit = "m", .min = -1e5, .max = 1e5, .doc = "in map"});
     v("yaw", yaw, {.unit = "rad", .min = -3.1416, .max = 3.1416, .doc = "in map"});
-    v("position_sigma", position_sigma,
-      {.unit = "m",
-       .min = 0.001,
-       .max = 100,
-       .doc = "standard deviation of the position per axis, also of a clicked pose that has none"});
-    v("yaw_sigma", yaw_sigma,
-      {.unit = "rad",
-       .min = 0.001,
-       .max = 3.15,
-       .doc = "standard deviation of the heading, also of a clicked pose that has none"});
+    v.retired({"position_sigma", "yaw_sigma"}, "a constant of localization_parameters.hpp");
   }
 };
 
@@ -112,7 +105,8 @@ struct LocalizationParameters {
   SensorParameters sensors;
   DatumParameters datum;
   double transform_tolerance = 0.0;
-  double pose_rate = 10.0;
+  /// [Hz] how many times a second amcl_pose, particles and health are published
+  static constexpr double kPoseRate = 10.0;
   bool publish_when_lost = false;
   LocalizerOptions filters;
 
@@ -131,15 +125,11 @@ struct LocalizationParameters {
        .min = 0,
        .max = 10,
        .doc = "map->odom is dated so far ahead, so that readers find it in time"});
-    v("pose_rate", pose_rate,
-      {.unit = "Hz",
-       .min = 0.1,
-       .max = 100,
-       .doc = "how many times a second amcl_pose, particles and health are published"});
     v("publish_when_lost", publish_when_lost,
       {.first = true,
        .doc = "go on with odometry/filtered while LOST; otherwise it stops, and with it the drive"});
     filters.fields(v);
+    v.retired({"pose_rate"}, "a constant of localization_parameters.hpp");
   }
 
   std::optional<std::string> violated_rule() const {

@@ -6,7 +6,7 @@ namespace bw::people {
 namespace {
 
 double reliability_of(const HeardPerson& person, const HeardPeopleOptions& options) {
-  return person.reliability == 0.0 ? options.untold_reliability : person.reliability;
+  return person.reliability == 0.0 ? options.kUntoldReliability : person.reliability;
 }
 
 bool is_usable(const HeardPerson& person, const HeardPeopleOptions& options) {

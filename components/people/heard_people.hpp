@@ -17,21 +17,20 @@ namespace bw::people {
 
 struct HeardPeopleOptions {
   double radius = 0.3;
+  /// [m] standard deviation of the positions, along each axis (set by code alone)
   double position_deviation = 0.1;
+  /// [m/s] standard deviation of the velocities, along each axis (set by code alone)
   double velocity_deviation = 0.2;
   double min_reliability = 0.0;
-  double untold_reliability = 1.0;
+  /// of people with reliability 0, as of a detector that tells none
+  static constexpr double kUntoldReliability = 1.0;
 
   template <class Visitor>
   void fields(Visitor& v) {
     v("radius", radius, {.unit = "m", .min = 0.05, .max = 2, .doc = "of everybody"});
-    v("position_deviation", position_deviation,
-      {.unit = "m", .min = 0, .max = 5, .doc = "standard deviation of the positions, along each axis"});
-    v("velocity_deviation", velocity_deviation,
-      {.unit = "m/s", .min = 0, .max = 5, .doc = "standard deviation of the velocities, along each axis"});
-    v("untold_reliability", untold_reliability,
-      {.min = 0, .max = 1, .doc = "of people with reliability 0, as of a detector that tells none"});
     v("min_reliability", min_reliability, {.min = 0, .max = 1, .doc = "who is less sure is not there"});
+    v.retired({"position_deviation", "velocity_deviation", "untold_reliability"},
+              "a constant of heard_people.hpp");
   }
 };
 

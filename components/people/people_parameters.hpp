@@ -16,7 +16,8 @@ struct OtherDetectorOptions {
   std::vector<std::string> people_topics;
   double people_timeout = 0.5;
   double people_silence = 1.0;
-  double untold_reliability = 0.5;
+  /// of people with reliability 0, as of a detector that tells none
+  static constexpr double kUntoldReliability = 0.5;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -33,8 +34,7 @@ struct OtherDetectorOptions {
        .min = 0.1,
        .max = 60,
        .doc = "another detector that is silent for longer is told to be missing"});
-    v("untold_reliability", untold_reliability,
-      {.min = 0, .max = 1, .doc = "of people with reliability 0, as of a detector that tells none"});
+    v.retired({"untold_reliability"}, "a constant of people_parameters.hpp");
   }
 };
 

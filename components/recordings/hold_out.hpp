@@ -23,6 +23,7 @@ constexpr auto choice_table(HoldOutRule) {
 
 struct HoldOutOptions {
   HoldOutRule rule = HoldOutRule::none;
+  /// [s] rule sparse: time from a fix that is given to the next (set by code alone)
   double period = 10.0;
   double from = 150.0;
   double to = 250.0;
@@ -30,12 +31,10 @@ struct HoldOutOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("rule", rule,
-      {.doc =
-           "which fixes are held out: none, every second one, all but one in a period, those of an outage"});
-    v("period", period,
-      {.unit = "s", .min = 0, .max = 1e6, .doc = "rule sparse: time from a fix that is given to the next"});
+      {.doc = "which fixes are held out: none, every second one, all but one in 10 s, those of an outage"});
     v("from", from, {.unit = "s", .min = 0, .max = 1e6, .doc = "rule outage: its first second in the log"});
     v("to", to, {.unit = "s", .min = 0, .max = 1e6, .doc = "rule outage: its last second in the log"});
+    v.retired({"period"}, "set by code alone, in hold_out.hpp");
   }
 };
 

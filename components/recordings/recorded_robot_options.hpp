@@ -19,8 +19,11 @@ struct RecordedRobotOptions {
   double end = 0.0;
   bool make_sensors = false;
   SyntheticSensorOptions synthetic;
-  double datum_latitude = 21.0;
-  double datum_longitude = 105.8;
+  /// [deg] make_sensors: latitude given to the origin of map, as config/graphs/recorded_robot.yaml tells the
+  /// localization
+  static constexpr double kDatumLatitude = 21.0;
+  /// [deg] make_sensors: its longitude
+  static constexpr double kDatumLongitude = 105.8;
   double variance_per_metre = 5e-4;
   bool end_run = true;
   HoldOutOptions hold_out;  // last: GCC 12 warns otherwise of a string that is not initialised
@@ -40,15 +43,12 @@ struct RecordedRobotOptions {
     v("make_sensors", make_sensors,
       {.doc = "for a bag with a reference and without them: a receiver and a compass are made from it"});
     v("synthetic", synthetic, {.doc = "rates and noise of what make_sensors makes"});
-    v("datum_latitude", datum_latitude,
-      {.unit = "deg", .min = -85, .max = 85, .doc = "make_sensors: latitude given to the origin of map"});
-    v("datum_longitude", datum_longitude,
-      {.unit = "deg", .min = -180, .max = 180, .doc = "make_sensors: longitude given to the origin of map"});
     v("variance_per_metre", variance_per_metre,
       {.unit = "m",
        .min = 0,
        .max = 1,
        .doc = "wheel travel variance per metre (k of model/README.md 2.2), where the bag declares none"});
+    v.retired({"datum_latitude", "datum_longitude"}, "a constant of recorded_robot_options.hpp");
   }
 
   std::optional<std::string> violated_rule() const {

@@ -29,7 +29,7 @@ class GlobalCostmapComponent final : public Component {
         [this](const GlobalCostmapParameters& changed, const Tick& tick) {
           footprint_.set_options(changed.footprint, tick);
         },
-        {"publish_frequency", "clearance_range", "clearance_weight", "unknown_is_obstacle", "occupied_at"});
+        {"publish_frequency", "clearance_range", "clearance_weight", "unknown_is_obstacle"});
     footprint_.offer(setup, setup.shared<Robot>("robot"), parameters_.footprint,
                      [this](const Footprint&) { has_new_footprint_ = true; });
     log_ = setup.log();

@@ -29,7 +29,7 @@ void MapPlanner::configure(Setup& setup) {
         parameters_ = changed;
         planner_.set_options(changed.planner);
       },
-      {"clearance_range", "clearance_weight", "unknown_is_obstacle", "occupied_at", "plan_around_obstacles"});
+      {"clearance_range", "clearance_weight", "unknown_is_obstacle", "plan_around_obstacles"});
   footprint_.listen(setup, setup.shared<Robot>("robot"), [this](const Footprint&) { prepare(); });
   planner_ = Planner(parameters_.planner);
   log_ = setup.log();

@@ -23,7 +23,7 @@ Json to_json(const teb::BandWeights& w) {
           {"inflation", w.inflation},
           {"dynamic_obstacle", w.dynamic_obstacle},
           {"dynamic_inflation", w.dynamic_inflation},
-          {"possible_inflation", w.possible_inflation}};
+          {"possible_inflation", w.kPossibleInflation}};
 }
 
 }  // namespace

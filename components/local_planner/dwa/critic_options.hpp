@@ -27,13 +27,16 @@ struct CriticOptions {
   double sim_time = 1.7;
   std::int64_t vx_samples = 20;
   std::int64_t vtheta_samples = 20;
-  double margin = 0.05;
-  double rotate_threshold = 1.0;
+  /// [m] gap of the footprint that counts as contact
+  static constexpr double kMargin = 0.05;
+  /// [rad] the robot turns on the spot when the plan leads off by more than this
+  static constexpr double kRotateThreshold = 1.0;
 
   template <class Visitor>
   void fields(Visitor& v) {
     scale_fields(v);
     sample_fields(v);
+    v.retired({"margin", "rotate_threshold"}, "a constant of critic_options.hpp");
   }
 
  private:
@@ -75,17 +78,6 @@ struct CriticOptions {
       {.min = 2,
        .max = 201,
        .doc = "how many turn rates are tried for each speed; the time of a cycle grows with it"});
-    v("margin", margin,
-      {.unit = "m",
-       .min = 0,
-       .max = 5,
-       .doc =
-           "gap of the footprint that counts as contact; raise it where the robot drives less exactly than it plans"});
-    v("rotate_threshold", rotate_threshold,
-      {.unit = "rad",
-       .min = 0.1,
-       .max = 3.15,
-       .doc = "the robot turns on the spot when the plan leads off by more than this; 3.15: never"});
   }
 };
 

@@ -47,12 +47,12 @@ std::optional<HrvoGuide> CriticsPlanner::guide_of(const PlanningProblem& problem
 
 PlanningResult CriticsPlanner::drive(const PlanningProblem& problem) {
   const CriticOptions& critics = options_.critics;
-  const Course course = course_of(led_plan(problem, critics.margin), problem);
+  const Course course = course_of(led_plan(problem, critics.kMargin), problem);
   const std::optional<HrvoGuide> guide = guide_of(problem);
   RollOuts roll_outs(problem, {.horizon = critics.sim_time,
                                .distance = course.line.length() - course.along,
-                               .margin = critics.margin,
-                               .reach = std::max(kInflationRadius, critics.margin),
+                               .margin = critics.kMargin,
+                               .reach = std::max(kInflationRadius, critics.kMargin),
                                .predict_movers = options_.predict_movers});
   const std::optional<double> rotation =
       guide && guide->has_direction() ? std::nullopt : rotate_to_plan_.angle(problem, course, critics);

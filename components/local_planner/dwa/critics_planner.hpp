@@ -18,7 +18,7 @@ namespace bw::dwa {
 
 /// Each call: the velocities in reach, of those the ones that can brake before the footprint touches
 /// anything, of those the cheapest (critics.hpp) from which it can brake clear of where people will be. Where
-/// the plan leads off by more than rotate_threshold: a rotation in place. If none is admissible: as every
+/// the plan leads off by more than kRotateThreshold: a rotation in place. If none is admissible: as every
 /// planner, an evasive move or a stop, status infeasible; a robot that stands long backs off. Remembers which
 /// way it turns and how long it stands.
 class CriticsPlanner final : public CheckedPlanner {

@@ -47,6 +47,7 @@ struct DwaOptions {
   Profile profile = Profile::critics;
   CriticOptions critics;
   bool check_movers = true;
+  /// clearance to movers where they will be; else where they are now, as published (set by code alone)
   bool predict_movers = false;
 
   // What tells the published forms apart is set by code, where their tables are made; the defaults are what
@@ -74,18 +75,18 @@ struct DwaOptions {
     v("check_movers", check_movers,
       {.doc = "a velocity is taken only if braking one control period later stays clear of where movers will "
               "be; false: as published"});
-    v("predict_movers", predict_movers,
-      {.doc = "clearance to movers where they will be; false: where they are now, as published"});
+    v.retired({"predict_movers"}, "set by code alone, in dwa_options.hpp");
   }
 };
 
 struct EdwaOptions {
-  double mover_horizon = 3.0;
-  double heading_scale = 60.0;
-  double passing_scale = 200.0;
   double passing_gap = 0.8;
 
   // Set by code, as above.
+  double mover_horizon = 3.0;    ///< HRVO leads while the robot could meet somebody within this time [s]
+  double heading_scale = 60.0;   ///< cost of heading elsewhere than HRVO advises [1/rad]
+  double passing_scale = 200.0;  ///< cost of touching somebody who walks within mover_horizon, and of part of
+                                 ///< it where they are passed within passing_gap; 0: people are HRVO's alone
   EdwaHeading heading = EdwaHeading::hrvo;  ///< of the published form
   bool hrvo_speed = true;                   ///< the best speed is that of HRVO (D6); else the highest
   double advised_speed_scale = 30.0;        ///< cost of another speed than HRVO's [s/m]
@@ -96,30 +97,12 @@ struct EdwaOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("mover_horizon", mover_horizon,
-      {.unit = "s",
-       .min = 0,
-       .max = 20,
-       .doc =
-           "HRVO leads while the robot could meet somebody within this time, else the plan does; raise it to "
-           "give way sooner"});
-    v("heading_scale", heading_scale,
-      {.unit = "1/rad",
-       .min = 0,
-       .max = 1000,
-       .doc = "cost of heading elsewhere than HRVO advises; raise it to leave the plan sooner"});
-    v("passing_scale", passing_scale,
-      {.min = 0,
-       .max = 10000,
-       .doc =
-           "cost of a velocity by which somebody who walks is touched within mover_horizon, and of part of it "
-           "where they are passed within passing_gap; lower it for a faster drive in crowds; 0: people are "
-           "HRVO's alone"});
     v("passing_gap", passing_gap,
       {.unit = "m",
        .min = 0.01,
        .max = 5,
        .doc = "people who walk are passed this widely at no cost; raise it for wider berths"});
+    v.retired({"mover_horizon", "heading_scale", "passing_scale"}, "set by code alone, in dwa_options.hpp");
   }
 };
 

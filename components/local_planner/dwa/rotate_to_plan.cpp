@@ -23,7 +23,7 @@ std::optional<double> RotateToPlan::angle(const PlanningProblem& problem, const 
       course.line.at(std::min(course.along + ahead, course.line.length())) - problem.pose.position();
   const double bearing =
       to_plan.norm() < kTooNear ? 0.0 : wrap_angle(std::atan2(to_plan.y(), to_plan.x()) - problem.pose.theta);
-  if (std::abs(bearing) <= (side_ == 0.0 ? options.rotate_threshold : kAhead)) {
+  if (std::abs(bearing) <= (side_ == 0.0 ? options.kRotateThreshold : kAhead)) {
     side_ = 0.0;
     return std::nullopt;
   }

@@ -71,7 +71,7 @@ bool FollowJudge::is_there(const FollowCycle& cycle, const GoalCheckerOptions& o
   }
   const bool is_standing =
       std::abs(cycle.twist.v) <= kStandingSpeed && std::abs(cycle.twist.omega) <= kStandingTurnRate;
-  return time_since(within_since_, cycle.now) >= Duration::seconds(options.settle_time) || is_standing;
+  return time_since(within_since_, cycle.now) >= Duration::seconds(options.kSettleTime) || is_standing;
 }
 
 FollowVerdict FollowJudge::judge_control(const FollowCycle& cycle, double tolerance) {

@@ -15,7 +15,8 @@ namespace bw {
 struct GoalCheckerOptions {
   double xy_goal_tolerance = 0.25;
   double yaw_goal_tolerance = 0.25;
-  double settle_time = 1.5;
+  /// [s] time within the tolerances after which it counts as standing
+  static constexpr double kSettleTime = 1.5;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -23,11 +24,7 @@ struct GoalCheckerOptions {
       {.unit = "m", .min = 0.01, .max = 5, .doc = "distance to the end of the path that counts as there"});
     v("yaw_goal_tolerance", yaw_goal_tolerance,
       {.unit = "rad", .min = 0.01, .max = 3.15, .doc = "heading error that counts as there; 3.15: any"});
-    v("settle_time", settle_time,
-      {.unit = "s",
-       .min = 0,
-       .max = 30,
-       .doc = "time within the tolerances after which it counts as standing"});
+    v.retired({"settle_time"}, "a constant of follow_path_options.hpp");
   }
   GoalTolerance tolerance() const { return {xy_goal_tolerance, yaw_goal_tolerance}; }
 };

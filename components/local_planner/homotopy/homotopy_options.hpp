@@ -53,17 +53,20 @@ inline constexpr double kAreaWidth = 6.0;
 
 struct HomotopyOptions {
   int max_number_classes = 4;
-  int max_bodies = 20;
-  Vertices method = Vertices::keypoints;
-  SearchOrder search = SearchOrder::best_first;
-  ClassMeasure signature = ClassMeasure::winding;
   MoverTopology mover_topology = MoverTopology::time_indexed;
-  double obstacle_keypoint_offset = 0.1;
   double selection_cost_hysteresis = 0.95;
   double selection_obst_cost_scale = 1.0;
   double switching_blocking_period = 0.0;
 
+  /// [m] how far beyond the wanted clearance a keypoint lies
+  static constexpr double kObstacleKeypointOffset = 0.1;
+
   // Set by code.
+  int max_bodies = 20;  ///< obstacles (merged where the robot does not fit between) told apart; of more, the
+                        ///< nearest to the line to the goal
+  Vertices method = Vertices::keypoints;           ///< where paths may lead through
+  SearchOrder search = SearchOrder::best_first;    ///< depth_first: those that are met first, as published
+  ClassMeasure signature = ClassMeasure::winding;  ///< h_signature loses its digits beyond about 10 obstacles
   int max_expansions = 2000;             ///< vertices that the search may visit in one cycle; bounds its time
   double prediction_horizon = 1.6;       ///< [s] of a mover's way that belongs to it (capsule)
   std::uint64_t roadmap_graph_seed = 1;  ///< of the random vertices of method roadmap
@@ -74,26 +77,9 @@ struct HomotopyOptions {
       {.min = 1,
        .max = 20,
        .doc = "how many bands in different topologies compete; each costs an optimisation"});
-    v("max_bodies", max_bodies,
-      {.min = 0,
-       .max = 100,
-       .doc = "how many obstacles (merged where the robot does not fit between) are told apart; of more, "
-              "the nearest to the line to the goal"});
-    v("method", method,
-      {.doc = "where paths may lead through: keypoints beside each obstacle, or a random roadmap"});
-    v("search", search,
-      {.doc = "best_first: the shortest classes come first; depth_first: those that are met first, as "
-              "published"});
-    v("signature", signature,
-      {.doc = "how classes are told apart; h_signature loses its digits beyond about 10 obstacles"});
     v("mover_topology", mover_topology,
       {.doc = "time_indexed: movers where they are when the robot passes; capsule: with their way of "
               "prediction_horizon; present: where they stand"});
-    v("obstacle_keypoint_offset", obstacle_keypoint_offset,
-      {.unit = "m",
-       .min = 0,
-       .max = 2,
-       .doc = "how far beyond the wanted clearance a keypoint lies; raise it when bands begin too close"});
     v("selection_cost_hysteresis", selection_cost_hysteresis,
       {.min = 0,
        .max = 1,
@@ -108,6 +94,8 @@ struct HomotopyOptions {
        .min = 0,
        .max = 60,
        .doc = "time after a change of topology before the next one; raise it when the robot wavers"});
+    v.retired({"max_bodies", "method", "search", "signature", "obstacle_keypoint_offset"},
+              "set by code alone, in homotopy_options.hpp");
   }
 };
 

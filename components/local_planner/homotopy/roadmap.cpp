@@ -89,7 +89,7 @@ Roadmap keypoint_roadmap(const Course& course, const std::vector<Body>& bodies,
   const EdgeCheck check(course, bodies, course.edge_clearance(options));
   const double nearest = course.robot_radius + course.edge_clearance(options) + kBesideEdgeClearance;
   const double wanted =
-      std::max(nearest, course.robot_radius + course.clearance + options.obstacle_keypoint_offset);
+      std::max(nearest, course.robot_radius + course.clearance + options.kObstacleKeypointOffset);
   std::vector<Vector2> keypoints;
   for (const Body& body : bodies) {
     const double factor = widening(body, course);

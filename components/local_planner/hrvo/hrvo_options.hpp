@@ -23,12 +23,12 @@ enum class PassingSide {
 
 struct HrvoOptions {
   double margin = 0.2;
-  double neighbour_range = 8.0;
-  Reciprocity reciprocity = Reciprocity::known;
   double lookahead = 2.0;
 
   // Set by code: whom `orca` looks at, and what the paper and its library have it do.
-  double view_angle = 4.71238898038469;  ///< centred on the heading: 270 degrees, Table 3.1
+  double neighbour_range = 8.0;                  ///< neighbours further away are not looked at [m]
+  Reciprocity reciprocity = Reciprocity::known;  ///< who is trusted to do half of the avoiding
+  double view_angle = 4.71238898038469;          ///< centred on the heading: 270 degrees, Table 3.1
   std::int64_t max_neighbours =
       10;  ///< the nearest movers, and as many static obstacles: neither crowds out the other
   PassingSide passing_side = PassingSide::actual;
@@ -37,15 +37,6 @@ struct HrvoOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     neighbour_fields(*this, v);
-    v("reciprocity", reciprocity,
-      {.doc = "who is trusted to do half of the avoiding: movers known to run HRVO, or all movers; all where "
-              "everybody does, as among robots of one kind"});
-    v("lookahead", lookahead,
-      {.unit = "m",
-       .min = 0.2,
-       .max = 50,
-       .doc =
-           "planner hrvo only: it aims at the point of the plan this far ahead; lower it to keep closer to the plan"});
   }
 };
 

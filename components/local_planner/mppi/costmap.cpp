@@ -88,7 +88,7 @@ class Distances {
 double inflated_cost(double distance, double robot_radius, const InflationOptions& options) {
   if (distance <= robot_radius) return kInscribed;
   if (distance >= options.inflation_radius) return 0.0;
-  return kMaxWithout * std::exp(-options.cost_scaling_factor * (distance - robot_radius));
+  return kMaxWithout * std::exp(-options.kCostScalingFactor * (distance - robot_radius));
 }
 
 Costmap::Costmap(const PlanningProblem& problem, const InflationOptions& options, double reach, bool movers) {

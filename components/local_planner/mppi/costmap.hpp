@@ -16,7 +16,7 @@ inline constexpr double kInscribed = 253.0;   ///< from here on the robot touche
 inline constexpr double kMaxWithout = 252.0;  ///< just before that
 
 /// By the distance between the middle of the robot and the nearest obstacle: 253 up to the robot's radius,
-/// beyond it 252 exp(-cost_scaling_factor (distance - radius)), 0 from the inflation radius on. Not rounded
+/// beyond it 252 exp(-kCostScalingFactor (distance - radius)), 0 from the inflation radius on. Not rounded
 /// to whole numbers.
 double inflated_cost(double distance, double robot_radius, const InflationOptions& options);
 

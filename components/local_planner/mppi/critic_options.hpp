@@ -5,7 +5,7 @@
 
 namespace bw::mppi {
 
-/// What all critics have.
+/// What all critics have; a parameter of those that say how the plan is followed and what is kept clear of.
 template <class Visitor>
 void weight_field(Visitor& v, double& weight) {
   v("cost_weight", weight,
@@ -13,9 +13,7 @@ void weight_field(Visitor& v, double& weight) {
 }
 
 struct ConstraintOptions {
-  double cost_weight = 4.0;
-
-  void fields(auto& v) { weight_field(v, cost_weight); }
+  double cost_weight = 4.0;  ///< set by code alone
 };
 
 struct CostOptions {
@@ -31,16 +29,12 @@ struct CostOptions {
 
 struct GoalOptions {
   static constexpr double kWithin = 1.4;  ///< on when the goal is nearer than this [m]
-  double cost_weight = 5.0;
-
-  void fields(auto& v) { weight_field(v, cost_weight); }
+  double cost_weight = 5.0;               ///< set by code alone
 };
 
 struct GoalAngleOptions {
   static constexpr double kWithin = 0.5;  ///< on when the goal is nearer than this [m]
-  double cost_weight = 3.0;
-
-  void fields(auto& v) { weight_field(v, cost_weight); }
+  double cost_weight = 3.0;               ///< set by code alone
 };
 
 struct PathAlignOptions {
@@ -66,16 +60,12 @@ struct PathAngleOptions {
   static constexpr double kBeyond = 0.5;  ///< off when the goal is nearer than this [m]
   static constexpr int kAhead = 4;        ///< points of the plan beyond the furthest that a sample reaches
   static constexpr double kOffHeading = 1.0;  ///< on when that point is further off the heading [rad]
-  double cost_weight = 2.0;
-
-  void fields(auto& v) { weight_field(v, cost_weight); }
+  double cost_weight = 2.0;                   ///< set by code alone
 };
 
 struct PreferForwardOptions {
   static constexpr double kBeyond = 0.5;  ///< off when the goal is nearer than this [m]
-  double cost_weight = 5.0;
-
-  void fields(auto& v) { weight_field(v, cost_weight); }
+  double cost_weight = 5.0;               ///< set by code alone
 };
 
 }  // namespace bw::mppi

@@ -12,7 +12,8 @@ namespace bw::mppi {
 /// What each pose costs by its distance to the nearest obstacle, as Nav2's inflation layer has it.
 struct InflationOptions {
   double inflation_radius = 0.7;
-  double cost_scaling_factor = 3.0;
+  /// [1/m] how fast the cost falls with the distance
+  static constexpr double kCostScalingFactor = 3.0;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -21,11 +22,7 @@ struct InflationOptions {
        .min = 0,
        .max = 5,
        .doc = "places nearer than this to an obstacle cost; raise it to keep further away"});
-    v("cost_scaling_factor", cost_scaling_factor,
-      {.unit = "1/m",
-       .min = 0,
-       .max = 100,
-       .doc = "how fast the cost falls with the distance; lower keeps further away"});
+    v.retired({"cost_scaling_factor"}, "a constant of mppi_options.hpp");
   }
 };
 
@@ -33,11 +30,8 @@ struct MppiOptions {
   std::int64_t batch_size = 2000;
   std::int64_t time_steps = 56;
   double model_dt = 0.05;
-  double temperature = 0.3;
-  double gamma = 0.015;
   double vx_std = 0.2;
   double wz_std = 0.4;
-  bool clamp_raw_controls = true;
   bool predict_movers = false;
   bool check_motion = false;
   InflationOptions inflation;
@@ -50,7 +44,14 @@ struct MppiOptions {
   PathAngleOptions path_angle;
   PreferForwardOptions prefer_forward;
 
+  /// cost of leaving the motion of the last cycle
+  static constexpr double kGamma = 0.015;
+
   // Set by code.
+  double temperature = 0.3;  ///< difference of cost that a weight falls by a factor of e for
+  /// The mean is taken of what the accelerations leave of the samples, as in Jazzy; else of the samples, as
+  /// in Lyrical, which speeds up and turns in sooner where accelerations are low.
+  bool clamp_raw_controls = true;
   bool regenerate_noises = true;  ///< other samples in every cycle; else the same ones, which costs less time
   std::uint64_t seed = 1;         ///< of the samples
 
@@ -65,15 +66,6 @@ struct MppiOptions {
        .min = 0.01,
        .max = 1,
        .doc = "length of a step; longer looks further ahead, and less exactly"});
-    v("temperature", temperature,
-      {.min = 0.001,
-       .max = 1000,
-       .doc = "difference of cost that a weight falls by a factor of e for; lower follows the best sample "
-              "alone"});
-    v("gamma", gamma,
-      {.min = 0,
-       .max = 100,
-       .doc = "cost of leaving the motion of the last cycle; raise it for steadier driving"});
     v("vx_std", vx_std,
       {.unit = "m/s",
        .min = 0.001,
@@ -84,10 +76,6 @@ struct MppiOptions {
        .min = 0.001,
        .max = 20,
        .doc = "spread of the sampled turn rates; raise it for tighter turns"});
-    v("clamp_raw_controls", clamp_raw_controls,
-      {.doc =
-           "the mean is taken of what the accelerations leave of the samples, as in Jazzy; false: of the samples, as in "
-           "Lyrical, which speeds up and turns in sooner where accelerations are low"});
     v("predict_movers", predict_movers,
       {.doc = "people where they will be at the time of each pose; false: as shipped, where they are now"});
     v("check_motion", check_motion,
@@ -95,14 +83,12 @@ struct MppiOptions {
            "a motion that is not free or passes people too closely is left for an evasive move, as by the other "
            "planners; false: as shipped, only when every sample collides, and then it stops"});
     v("inflation", inflation, {.doc = "the costmap"});
-    v("constraint", constraint, {.doc = "critic of speeds outside the limits"});
     v("cost", cost, {.doc = "critic of the costmap"});
-    v("goal", goal, {.doc = "critic of the distance to the goal"});
-    v("goal_angle", goal_angle, {.doc = "critic of the heading at the goal"});
     v("path_align", path_align, {.doc = "critic of the distance to the plan"});
     v("path_follow", path_follow, {.doc = "critic of progress along the plan"});
-    v("path_angle", path_angle, {.doc = "critic of the heading towards the plan"});
-    v("prefer_forward", prefer_forward, {.doc = "critic of driving back"});
+    v.retired({"temperature", "gamma", "clamp_raw_controls", "constraint", "goal", "goal_angle", "path_angle",
+               "prefer_forward"},
+              "set by code alone, in mppi_options.hpp");
   }
 };
 

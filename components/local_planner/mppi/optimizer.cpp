@@ -136,8 +136,8 @@ Optimizer::Outcome Optimizer::improve(const PlanningProblem& problem) {
       if (options_.clamp_raw_controls) cut_commands(samples_);
       costs_ = Eigen::ArrayXd::Zero(options_.batch_size);
       outcome.found = judge.add_costs(samples_, costs_) > 0;
-      add_deviation_cost(samples_.command_v, controls_.v, options_.gamma, options_.vx_std, costs_);
-      add_deviation_cost(samples_.command_omega, controls_.omega, options_.gamma, options_.wz_std, costs_);
+      add_deviation_cost(samples_.command_v, controls_.v, options_.kGamma, options_.vx_std, costs_);
+      add_deviation_cost(samples_.command_omega, controls_.omega, options_.kGamma, options_.wz_std, costs_);
       weights_ = softmax_weights(costs_, options_.temperature);
       controls_.v = samples_.command_v.matrix().transpose() * weights_.matrix();
       controls_.omega = samples_.command_omega.matrix().transpose() * weights_.matrix();

@@ -9,34 +9,26 @@ namespace bw::orca {
 
 struct OrcaOptions {
   double margin = 0.2;
-  double neighbour_range = 10.0;
-  hrvo::Reciprocity reciprocity = hrvo::Reciprocity::known;
+  /// [m] neighbours further away are not looked at: CrowdNav's value
+  static constexpr double kNeighbourRange = 10.0;
   double horizon = 5.0;
-  double static_horizon = 2.0;
+  /// [s] velocities keep clear of what stands for so long
+  static constexpr double kStaticHorizon = 2.0;
   double lookahead = 2.0;
+
+  /// who is trusted to do half of the avoiding (set by code alone)
+  hrvo::Reciprocity reciprocity = hrvo::Reciprocity::known;
 
   template <class Visitor>
   void fields(Visitor& v) {
     neighbour_fields(*this, v);
-    v("reciprocity", reciprocity,
-      {.doc =
-           "who is trusted to do half of the avoiding: movers known to do so, or all movers; all where everybody does"});
     v("horizon", horizon,
       {.unit = "s",
        .min = 0.1,
        .max = 60,
        .doc =
            "velocities keep clear of movers for so long; longer starts to avoid earlier, and leaves less room"});
-    v("static_horizon", static_horizon,
-      {.unit = "s",
-       .min = 0.1,
-       .max = 60,
-       .doc = "velocities keep clear of what stands for so long; raise it to keep away from walls"});
-    v("lookahead", lookahead,
-      {.unit = "m",
-       .min = 0.2,
-       .max = 50,
-       .doc = "it aims at the point of the plan this far ahead; lower it to keep closer to the plan"});
+    v.retired({"static_horizon"}, "a constant of orca_options.hpp");
   }
 };
 

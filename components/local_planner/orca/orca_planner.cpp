@@ -17,7 +17,7 @@ constexpr int kMaxNeighbours = 10;  // as CrowdNav has it
 // HRVO and ORCA look at the same neighbours, and differ in what they make of them.
 hrvo::HrvoOptions who_is_looked_at(const OrcaOptions& options) {
   return {.margin = options.margin,
-          .neighbour_range = options.neighbour_range,
+          .neighbour_range = options.kNeighbourRange,
           .reciprocity = options.reciprocity,
           .view_angle = 2.0 * std::numbers::pi,
           .max_neighbours = kMaxNeighbours};
@@ -38,10 +38,10 @@ Advice advise_robot(const PlanningProblem& problem, const Vector2& aim, const Or
   for (const hrvo::Neighbour& n : hrvo::static_neighbours(problem, aim, looking))
     walls.push_back({n.core, n.radius});
   return advise(robot, movers, walls,
-                {.neighbour_range = options.neighbour_range,
+                {.neighbour_range = options.kNeighbourRange,
                  .max_neighbours = kMaxNeighbours,
                  .horizon = options.horizon,
-                 .wall_horizon = options.static_horizon,
+                 .wall_horizon = options.kStaticHorizon,
                  .time_step = hrvo::kTimeStep});
 }
 

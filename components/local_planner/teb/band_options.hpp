@@ -26,7 +26,9 @@ struct BandWeights {
   double inflation = 0.1;
   double dynamic_obstacle = 50.0;
   double dynamic_inflation = 2.0;
-  double possible_inflation = 0.02;
+  /// dynamic_inflation, for movers that may be furniture, just before they are confirmed; less with less
+  /// confidence
+  static constexpr double kPossibleInflation = 0.02;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -53,12 +55,6 @@ struct BandWeights {
        .max = 1e6,
        .doc = "the weight `inflation`, for movers; raise it to pass people with a wider berth, which "
               "takes longer"});
-    v("possible_inflation", possible_inflation,
-      {.min = 0,
-       .max = 1e6,
-       .doc =
-           "dynamic_inflation, for movers that may be furniture, just before they are confirmed; less with less "
-           "confidence. Raise it where most of them are people; lower it when gaps beside furniture are avoided"});
   }
 };
 
@@ -83,8 +79,6 @@ struct BandOptions {
   double min_obstacle_dist = 0.2;
   double inflation_dist = 0.3;
   double dynamic_obstacle_inflation_dist = 0.6;
-  int max_obstacles_per_pose = 8;
-  int warm_inner_iterations = 10;
 
   // Set by code: scenes of a bench that bring rules of their own, and tests.
   double dt_hysteresis =
@@ -94,12 +88,15 @@ struct BandOptions {
   /// than this, half of what they leave is wanted; min_obstacle_dist: as teb_local_planner, which often waits
   /// in front of them [m].
   double narrow_passage_dist = 0.03;
-  double clearance_step = 0.25;   ///< motion relative to an obstacle between two clearance tests [m]
-  double penalty_epsilon = 0.02;  ///< inside of every limit and distance at which its cost begins
-  bool consistent_motion = true;  ///< theory.md 6.1; else the formulas of teb_local_planner
-  int no_outer_iterations = 2;    ///< solves of a first plan, resampled in between
-  int no_inner_iterations = 8;    ///< of the solver in each; the last goes on, by kFirstPlanOvertime at most
-  int warm_outer_iterations = 1;  ///< solves of a band kept from the last cycle
+  double clearance_step = 0.25;    ///< motion relative to an obstacle between two clearance tests [m]
+  double penalty_epsilon = 0.02;   ///< inside of every limit and distance at which its cost begins
+  bool consistent_motion = true;   ///< theory.md 6.1; else the formulas of teb_local_planner
+  int no_outer_iterations = 2;     ///< solves of a first plan, resampled in between
+  int no_inner_iterations = 8;     ///< of the solver in each; the last goes on, by kFirstPlanOvertime at most
+  int warm_outer_iterations = 1;   ///< solves of a band kept from the last cycle
+  int warm_inner_iterations = 10;  ///< iterations of the solver in each of these
+  /// The nearest of each kind (static, movers) that count in the cost of one pose; what is left out is told.
+  int max_obstacles_per_pose = 8;
   double function_tolerance = 1e-4;  ///< relative gain of an iteration below which a solve ends
   double weight_adapt_factor =
       3.0;  ///< by which obstacle weights grow from one solve of a first plan to the next
@@ -125,17 +122,8 @@ struct BandOptions {
        .min = 0,
        .max = 10,
        .doc = "gap below which a mover begins to cost a little; raise it for a wider berth"});
-    v("max_obstacles_per_pose", max_obstacles_per_pose,
-      {.min = 1,
-       .max = 100,
-       .doc =
-           "how many obstacles of each kind (static, movers), the nearest ones, count in the cost of one pose; "
-           "what is left out is told"});
-    v("warm_inner_iterations", warm_inner_iterations,
-      {.min = 1,
-       .max = 100,
-       .doc = "solver iterations in each solve of a kept band; raise it when bands lag behind movers"});
     v("weights", weights, {.doc = "weights of the cost"});
+    v.retired({"max_obstacles_per_pose", "warm_inner_iterations"}, "set by code alone, in band_options.hpp");
   }
 
   std::optional<std::string> violated_rule() const {

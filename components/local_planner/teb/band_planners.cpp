@@ -27,8 +27,7 @@ BandPlannerOptions teb_homotopy(const PlannerOptions& o) {
 // A term of that choice: the direction that HRVO advises (6.4, 3.12).
 BandPlannerOptions pteb(const PlannerOptions& o) {
   BandPlannerOptions planner = teb_homotopy(o);
-  planner.term =
-      hrvo_preference(o.of<hrvo::HrvoOptions>("hrvo"), o.of<PtebOptions>("pteb").hrvo_angle_weight);
+  planner.term = hrvo_preference(o.of<hrvo::HrvoOptions>("hrvo"), kHrvoAngleWeight);
   return planner;
 }
 
@@ -47,7 +46,7 @@ std::unique_ptr<LocalPlanner> make(const PlannerOptions& o) {
 const bool kTeb = register_planner("teb", {{"teb", AnyOptions(TebOptions{})}}, make<teb>);
 const bool kTebHomotopy = register_planner(
     "teb_homotopy", {{"homotopy", AnyOptions(homotopy::HomotopyOptions{})}}, make<teb_homotopy>);
-const bool kPteb = register_planner("pteb", {{"pteb", AnyOptions(PtebOptions{})}}, make<pteb>);
+const bool kPteb = register_planner("pteb", {}, make<pteb>);
 const bool kEteb = register_planner("eteb", {{"eteb", AnyOptions(default_eteb_prediction())}}, make<eteb>);
 
 }  // namespace

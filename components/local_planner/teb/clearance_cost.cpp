@@ -9,7 +9,7 @@ ClearanceModel::ClearanceModel(const BandOptions& options, const Footprint& the_
     : fixed{options.weights.obstacle * growth, options.weights.inflation, options.inflation_dist},
       moving{options.weights.dynamic_obstacle * growth, options.weights.dynamic_inflation,
              options.dynamic_obstacle_inflation_dist},
-      possible_inflation(std::min(options.weights.possible_inflation, options.weights.dynamic_inflation)),
+      possible_inflation(std::min(options.weights.kPossibleInflation, options.weights.dynamic_inflation)),
       min_dist(options.min_obstacle_dist + options.penalty_epsilon),
       footprint(&the_footprint) {}
 

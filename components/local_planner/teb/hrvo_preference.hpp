@@ -5,22 +5,11 @@
 #include "components/local_planner/hrvo/hrvo.hpp"
 #include "components/local_planner/teb/choice_term.hpp"
 #include "components/local_planner/teb/obstacle_field.hpp"
-#include "runtime/base/field.hpp"
 
 namespace bw::teb {
 
-struct PtebOptions {
-  double hrvo_angle_weight = 0.5;
-
-  template <class Visitor>
-  void fields(Visitor& v) {
-    v("hrvo_angle_weight", hrvo_angle_weight,
-      {.min = 0,
-       .max = 100,
-       .doc = "delta_hrvo of (3.12): cost per radian between a band and the HRVO direction; raise it to "
-              "follow HRVO against shorter ways"});
-  }
-};
+/// delta_hrvo of (3.12): cost per radian between a band and the HRVO direction.
+inline constexpr double kHrvoAngleWeight = 0.5;
 
 /// weight * |angle between the advised velocity and the direction to zeta_p|, where zeta_p is the point of
 /// `trajectory` nearest to an obstacle within the first 4 m, or 2 m ahead when none is near. 0 when the

@@ -23,9 +23,12 @@ constexpr auto choice_table(Prediction) {
 struct PredictionOptions {
   Prediction prediction = Prediction::time_indexed;
   double uncertainty_factor = 0.0;
+  /// share of that growth that counts when bands are compared. 0: it bends each band, and people count in the
+  /// choice where they are expected; 1: a band that waits or goes round wins more often (set by code alone)
   double uncertainty_in_choice = 0.0;
   double assumed_pedestrian_speed = 0.0;
-  double assumed_pedestrian_time = 1.5;
+  /// [s] for so long people who turn round beside a slow robot come nearer, before it is out of their way
+  static constexpr double kAssumedPedestrianTime = 1.5;
 
   // By code: what each planner begins from.
   double prediction_time = 1.6;     ///< how far ahead the second place lies [s] (doubled): 4 steps of 0.4 s
@@ -43,27 +46,16 @@ struct PredictionOptions {
        .max = 5,
        .doc = "how many standard deviations of its prediction the inflation of a mover grows by; raise it "
               "among people who turn"});
-    v("uncertainty_in_choice", uncertainty_in_choice,
-      {.min = 0,
-       .max = 1,
-       .doc =
-           "share of that growth that counts when bands are compared. 0: it bends each band, and people count in "
-           "the choice where they are expected; 1: a band that waits or goes round wins more often"});
     v("assumed_pedestrian_speed", assumed_pedestrian_speed,
       {.unit = "m/s",
        .min = 0,
        .max = 3,
        .doc =
            "of people who turn towards the robot. One whose top speed is less keeps further from movers, by "
-           "what they gain on it in assumed_pedestrian_time; 0: none does"});
-    v("assumed_pedestrian_time", assumed_pedestrian_time,
-      {.unit = "s",
-       .min = 0,
-       .max = 10,
-       .doc =
-           "raise it where a slow robot is touched by people who turn round beside it; it takes longer then"});
+           "what they gain on it in 1.5 s; 0: none does"});
     v.retired({"outwalked_speed"}, "it is called assumed_pedestrian_speed");
-    v.retired({"outwalked_time"}, "it is called assumed_pedestrian_time");
+    v.retired({"outwalked_time", "assumed_pedestrian_time", "uncertainty_in_choice"},
+              "a constant of prediction_options.hpp");
   }
 };
 
@@ -75,7 +67,7 @@ inline PredictionOptions default_eteb_prediction() {
 /// What people who turn towards a robot of top speed `v_max` [m/s] gain on it before it is out of their way
 /// [m]: by so much more it keeps from movers (theory.md 6.5).
 inline double pedestrian_lead(const PredictionOptions& options, double v_max) {
-  return options.assumed_pedestrian_time * std::max(0.0, options.assumed_pedestrian_speed - v_max);
+  return options.kAssumedPedestrianTime * std::max(0.0, options.assumed_pedestrian_speed - v_max);
 }
 
 }  // namespace bw::teb

@@ -11,7 +11,7 @@ constexpr std::size_t kMaxParticlesShown = 1000;
 
 /// Of a pose that comes without any.
 Eigen::Matrix3d usual_covariance(const InitialPoseParameters& pose) {
-  return Eigen::Vector3d(pose.position_sigma, pose.position_sigma, pose.yaw_sigma).cwiseAbs2().asDiagonal();
+  return Eigen::Vector3d(pose.kPositionSigma, pose.kPositionSigma, pose.kYawSigma).cwiseAbs2().asDiagonal();
 }
 
 }  // namespace
@@ -25,7 +25,7 @@ void LocalizationComponent::configure(Setup& setup) {
         wheels_.set_noise(changed.sensors.wheel_noise);
       },
       {"algorithm", "set_initial_pose", "start_anywhere", "sensors.gyro", "sensors.compass", "sensors.gps",
-       "sensors.course", "sensors.laser", "sensors.ranges", "sensors.poses", "datum", "pose_rate", "ekf",
+       "sensors.course", "sensors.laser", "sensors.ranges", "sensors.poses", "datum", "ekf",
        "particle_filter"});
   inputs_.configure(setup, parameters_);
   const Robot& robot = setup.shared<Robot>("robot");
@@ -44,7 +44,7 @@ void LocalizationComponent::configure(Setup& setup) {
   cloud_ = setup.output<nav2_msgs::msg::ParticleCloud>("particle_cloud");
   particle_poses_ = setup.output<geometry_msgs::msg::PoseArray>("particle_poses");
   listen(setup);
-  setup.every(Duration::seconds(1.0 / parameters_.pose_rate), "health",
+  setup.every(Duration::seconds(1.0 / parameters_.kPoseRate), "health",
               [this](const Tick& tick) { report_health(tick); });
 }
 

@@ -12,7 +12,7 @@ Ekf::Ekf(const EkfOptions& options, int sources)
     : fusion_(options),
       ring_(fusion_, Duration::seconds(options.window), options.capacity, sources),
       initial_(options.initial, options.gate.probability),
-      stamps_(Duration::seconds(options.future_tolerance)),
+      stamps_(Duration::seconds(options.kFutureTolerance)),
       kinds_(static_cast<std::size_t>(sources)) {}
 
 bool Ekf::start_at(const Pose2& X_MB, const Eigen::Matrix3d& covariance, Time time) {

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "components/localization/measurement_check.hpp"
-#include "runtime/base/choice.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw::localization {
@@ -32,6 +31,8 @@ struct BiasOptions {
 };
 
 struct MotionOptions {
+  /// [s] after the last wheel step the velocity holds this long; then the motion is unknown (set by code
+  /// alone)
   double extrapolation = 0.5;
   double acceleration = 1.0;
   /// [rad/s^2] standard deviation of the angular acceleration while the pose is extrapolated
@@ -46,11 +47,6 @@ struct MotionOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("extrapolation", extrapolation,
-      {.unit = "s",
-       .min = 0,
-       .max = 2,
-       .doc = "after the last wheel step the velocity holds this long; then the motion is unknown"});
     v("acceleration", acceleration,
       {.unit = "m/s^2",
        .min = 0,
@@ -64,13 +60,15 @@ struct MotionOptions {
        .doc =
            "how fast position and fixes drift apart on the way by what neither declares: skidding sideways, "
            "a receiver whose error wanders; without it such drift is taken for turns"});
-    v.retired({"silent_speed", "silent_turn_rate"}, "a constant of ekf_options.hpp");
+    v.retired({"silent_speed", "silent_turn_rate", "extrapolation"}, "a constant of ekf_options.hpp");
   }
 };
 
 struct GateOptions {
+  /// measurements that are too far from the estimate for chance are rejected (set by code alone)
   bool enabled = true;
   double probability = 0.999;
+  /// [s] a source rejected for so long, in agreement with itself, takes the estimate over (set by code alone)
   double reacquire_after = 10.0;
   /// how many rejections in a row it takes at least until a source takes the estimate over
   static constexpr int kReacquireCount = 5;
@@ -79,21 +77,17 @@ struct GateOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("enabled", enabled, {.doc = "reject measurements that are too far from the estimate for chance"});
     v("probability", probability,
       {.min = 0.5,
        .max = 0.999999,
        .doc = "share of sound measurements that pass the gate (chi-square); raise it when good fixes are "
               "rejected"});
-    v("reacquire_after", reacquire_after,
-      {.unit = "s",
-       .min = 0,
-       .max = 1000,
-       .doc = "a source rejected for so long, in agreement with itself, takes the estimate over"});
+    v.retired({"enabled", "reacquire_after"}, "set by code alone, in ekf_options.hpp");
   }
 };
 
 struct AdaptiveOptions {
+  /// learn from innovations how much noisier a source is than it declares (set by code alone)
   bool enabled = false;
   /// least factor on a variance that a source declares
   static constexpr double kFloor = 1.0;
@@ -101,18 +95,15 @@ struct AdaptiveOptions {
   static constexpr double kCeiling = 100.0;
   /// over how many measurements the factor is learnt
   static constexpr double kMemory = 50.0;
-
-  template <class Visitor>
-  void fields(Visitor& v) {
-    v("enabled", enabled, {.doc = "learn from innovations how much noisier a source is than it declares"});
-  }
 };
 
 struct SlipOptions {
+  /// find slipping wheels by comparing their turn with the gyro (set by code alone)
   bool enabled = true;
   /// [s] how long the comparison of wheels and gyro looks back
   static constexpr double kWindow = 0.25;
-  double gate = 25.0;
+  /// disagreement of wheels and gyro, in squared standard deviations, that is slip
+  static constexpr double kGate = 25.0;
   /// [rad/s] smaller disagreements are never slip
   static constexpr double kLeastRate = 0.1;
   /// [s] slip lasts so long after the last sign of it
@@ -123,16 +114,6 @@ struct SlipOptions {
   static constexpr double kDistanceShare = 0.05;
   /// the same of the turn, as a share of what wheels and gyro disagree about: the gyro may be wrong
   static constexpr double kRotationShare = 0.2;
-
-  template <class Visitor>
-  void fields(Visitor& v) {
-    v("enabled", enabled, {.doc = "find slipping wheels by comparing their turn with the gyro"});
-    v("gate", gate,
-      {.min = 1,
-       .max = 1000,
-       .doc = "disagreement of wheels and gyro, in squared standard deviations, that is slip; lower finds "
-              "weaker slip and false ones"});
-  }
 };
 
 struct InitialOptions {
@@ -149,7 +130,9 @@ struct InitialOptions {
 struct HealthOptions {
   double source_timeout = 1.0;
   double lost_two_sigma = 2.0;
-  double degraded_two_sigma = 1.0;
+  /// [m] DEGRADED when two standard deviations of the position exceed this: half of the lost_two_sigma that
+  /// the filter comes with
+  static constexpr double kDegradedTwoSigma = 1.0;
   /// [rad] LOST when the standard deviation of the heading exceeds this
   static constexpr double kLostHeadingSigma = 0.8;
   /// [s] LOST when no position passed the gate for so long while positions came
@@ -169,18 +152,11 @@ struct HealthOptions {
        .min = 0.01,
        .max = 1000,
        .doc = "LOST when two standard deviations of the position exceed this; with it the robot stops"});
-    v("degraded_two_sigma", degraded_two_sigma,
-      {.unit = "m",
-       .min = 0.01,
-       .max = 1000,
-       .doc = "DEGRADED when two standard deviations of the position exceed this"});
+    v.retired({"degraded_two_sigma"}, "a constant of ekf_options.hpp");
   }
 };
 
 enum class OnClockJump { hold, reset };
-constexpr auto choice_table(OnClockJump) {
-  return choices<OnClockJump>({{OnClockJump::hold, "hold"}, {OnClockJump::reset, "reset"}});
-}
 
 struct EkfOptions {
   MeasurementLimits limits;
@@ -191,12 +167,16 @@ struct EkfOptions {
   SlipOptions slip;
   InitialOptions initial;
   HealthOptions health;
+  /// [s] late measurements are used if not older than this (set by code alone)
   double window = 2.0;
   /// how many measurements are kept for late ones (set by code alone)
   int capacity = 2048;
   /// [m/s] below this speed the course over ground says nothing of the heading
   static constexpr double kCourseSpeed = 0.3;
-  double future_tolerance = 0.1;
+  /// [s] how far ahead of now a stamp may be
+  static constexpr double kFutureTolerance = 0.1;
+  /// hold: keep the pose, less sure, and go on from the new time; reset: find a new first pose (set by code
+  /// alone)
   OnClockJump on_clock_jump = OnClockJump::hold;
 
   template <class Visitor>
@@ -205,24 +185,15 @@ struct EkfOptions {
     v("motion", motion, {.doc = "how the pose moves between and without wheel steps"});
     v("gate", gate,
       {.doc = "which measurements are outliers, and when a rejected source is believed after all"});
-    v("adaptive", adaptive, {.doc = "learning how noisy sources are that declare too little"});
-    v("slip", slip, {.doc = "finding wheels that slip"});
     v("health", health, {.doc = "when the state is OK, DEGRADED, LOST"});
-    v("window", window,
-      {.unit = "s", .min = 0, .max = 10, .doc = "late measurements are used if not older than this"});
-    v("future_tolerance", future_tolerance,
-      {.unit = "s",
-       .min = 0,
-       .max = 10,
-       .doc = "how far ahead of now a stamp may be; raise it for sensors whose clock runs ahead"});
-    v("on_clock_jump", on_clock_jump,
-      {.doc = "hold: keep the pose, less sure, and go on from the new time; reset: find a new first pose"});
-    v.retired({"limits", "initial", "course_speed"}, "a constant of ekf_options.hpp");
+    v.retired({"limits", "initial", "course_speed", "adaptive", "slip", "window", "future_tolerance",
+               "on_clock_jump"},
+              "a constant of ekf_options.hpp");
   }
 
   std::optional<std::string> violated_rule() const {
-    if (health.lost_two_sigma < health.degraded_two_sigma)
-      return "health.lost_two_sigma must be at least health.degraded_two_sigma";
+    if (health.lost_two_sigma < HealthOptions::kDegradedTwoSigma)
+      return "health.lost_two_sigma must be at least 1 m, from which the state is DEGRADED";
     if (gate.enabled && gate.reacquire_after < HealthOptions::kLostRejection)
       return "gate.reacquire_after must be at least 3 s, or LOST is never told";
     if (MotionOptions::kGyroGap > motion.extrapolation && motion.extrapolation > 0.0)

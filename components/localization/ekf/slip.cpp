@@ -75,7 +75,7 @@ void watch_slip(SlipWatch& watch, const ComparedStep& step, double bias_variance
   watch.rotation = lambda * watch.rotation + step.rotation;
   const double e = watch.disagreement;
   const double variance = watch.variance + watch.time * watch.time * bias_variance + 2.0 * step.rounding;
-  const bool sign = e * e > options.gate * variance && std::abs(e) > options.kLeastRate * watch.time;
+  const bool sign = e * e > options.kGate * variance && std::abs(e) > options.kLeastRate * watch.time;
   // Weak slip hides now and then; while it goes on, half of its largest disagreement is a sign too.
   if (sign || (slipping(watch) && std::abs(e) > 0.5 * watch.excess.peak)) {
     watch.seen = time;
@@ -95,7 +95,7 @@ void watch_slip(SlipWatch& watch, const ComparedStep& step, double bias_variance
     watch.last_speed = watch.speed;
     watch.block_travel = watch.block_time = 0.0;
   }
-  if (!slipping(watch) && e * e < kSuspect * options.gate * variance)
+  if (!slipping(watch) && e * e < kSuspect * options.kGate * variance)
     note_speed(watch, step, options.kWindow);
   watch.lately *= std::exp(-step.seconds / kForgetting);
   if (slipping(watch)) watch.lately += step.seconds;

@@ -65,9 +65,9 @@ LikelihoodField::LikelihoodField(const OccupancyGrid& map, const LikelihoodField
 
 float LikelihoodField::log_p(float signed_distance) const {
   const double d = static_cast<double>(signed_distance) / options_.sigma_hit;
-  const double p = options_.z_hit * std::exp(-0.5 * d * d) + options_.z_rand / options_.laser_max_range;
+  const double p = options_.z_hit * std::exp(-0.5 * d * d) + options_.z_rand / options_.kLaserMaxRange;
   return static_cast<float>(
-      std::log(signed_distance < 0.0F ? std::max(p, 1.0 / options_.laser_max_range) : p));
+      std::log(signed_distance < 0.0F ? std::max(p, 1.0 / options_.kLaserMaxRange) : p));
 }
 
 std::size_t LikelihoodField::cell(double x, double y) const {

@@ -1,11 +1,11 @@
 // How likely it is that a laser beam ends at a position of the map: the likelihood field (Thrun, Burgard and
 // Fox, Probabilistic Robotics, 6.4), as AMCL has it.
 //
-//   p(end) = z_hit exp(-d^2 / (2 sigma_hit^2)) + z_rand / laser_max_range
+//   p(end) = z_hit exp(-d^2 / (2 sigma_hit^2)) + z_rand / kLaserMaxRange
 //
 // with d the exact distance from the end's cell to the nearest obstacle cell (centre to centre), at most
 // laser_likelihood_max_dist. Where nobody has seen the map, and outside of it, an end says nothing: there p
-// is at least 1 / laser_max_range, as for any position along the beam, which is more than far from everything
+// is at least 1 / kLaserMaxRange, as for any position along the beam, which is more than far from everything
 // in the known part and much less than at an obstacle.
 #pragma once
 
@@ -19,7 +19,7 @@ namespace bw::localization {
 
 class LikelihoodField {
  public:
-  /// Empty: no cell, p = 1 / laser_max_range everywhere.
+  /// Empty: no cell, p = 1 / kLaserMaxRange everywhere.
   LikelihoodField() : LikelihoodField(OccupancyGrid{}, {}) {}
   /// Throws std::runtime_error when the grid's sizes do not fit its cells, its resolution is not positive or
   /// its origin not finite.

@@ -11,7 +11,8 @@ struct LikelihoodFieldOptions {
   double sigma_hit = 0.2;
   /// [m] ends further than this from the map's obstacles are all alike
   static constexpr double kLaserLikelihoodMaxDist = 2.0;
-  double laser_max_range = 10.0;
+  /// [m] range over which the ends of z_rand are spread
+  static constexpr double kLaserMaxRange = 10.0;
   /// beams of one sweep share errors: together they count as so many independent ones (set by code alone)
   double effective_beams = 15.0;
   /// smallest occupancy of a map cell that is an obstacle
@@ -25,13 +26,7 @@ struct LikelihoodFieldOptions {
       {.min = 0.01, .max = 1, .doc = "weight of beams that end anywhere; raise it in crowds"});
     v("sigma_hit", sigma_hit,
       {.unit = "m", .min = 0.01, .max = 1, .doc = "standard deviation of an end from the nearest obstacle"});
-    v("laser_max_range", laser_max_range,
-      {.unit = "m",
-       .min = 0.5,
-       .max = 1000,
-       .doc = "range over which the ends of z_rand are spread; raise it to trust a few mismatched beams "
-              "less"});
-    v.retired({"occupied_at"}, "a constant of likelihood_field_options.hpp");
+    v.retired({"occupied_at", "laser_max_range"}, "a constant of likelihood_field_options.hpp");
   }
 };
 

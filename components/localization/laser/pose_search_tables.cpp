@@ -60,12 +60,12 @@ PoseSearchTables::PoseSearchTables(const LikelihoodField& field, double step, do
 
 void PoseSearchTables::build_levels(const LikelihoodField& field) {
   const LikelihoodFieldOptions& o = field.options();
-  const double far = std::log(o.z_rand / o.laser_max_range);
-  const double scale = 255.0 / (std::log(o.z_hit + o.z_rand / o.laser_max_range) - far);
+  const double far = std::log(o.z_rand / o.kLaserMaxRange);
+  const double scale = 255.0 / (std::log(o.z_hit + o.z_rand / o.kLaserMaxRange) - far);
   const auto value = [&](double log_p) {
     return static_cast<std::uint8_t>(std::lround(std::clamp(scale * (log_p - far), 0.0, 255.0)));
   };
-  const std::uint8_t outside = value(std::log(1.0 / o.laser_max_range));
+  const std::uint8_t outside = value(std::log(1.0 / o.kLaserMaxRange));
   outside_ = outside;
   const auto width = static_cast<std::size_t>(width_);
   levels_.resize(static_cast<std::size_t>(coarsest()) + 1);

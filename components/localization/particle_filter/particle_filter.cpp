@@ -22,7 +22,7 @@ ParticleFilter::ParticleFilter(const ParticleFilterOptions& options, std::uint64
       motion_(random_.bits()),
       track_(options.motion, Duration::seconds(options.window)),
       initial_(options.initial, options.gate.probability),
-      stamps_(Duration::seconds(options.future_tolerance)),
+      stamps_(Duration::seconds(options.kFutureTolerance)),
       sources_(static_cast<std::size_t>(sources)),
       recovery_(options.recovery, options.search) {
   for (int dof = 1; dof <= 3; ++dof) {

@@ -144,14 +144,17 @@ struct ParticleFilterOptions {
   LikelihoodFieldOptions field;
   PoseSearchOptions search;
   RecoveryOptions recovery;
+  /// which measurements are outliers, and when a rejected source is believed after all (set by code alone)
   GateOptions gate;
   InitialOptions initial;
   HealthOptions health;
   ParticleHealthOptions particle_health;
+  /// [s] late measurements are used if not older than this (set by code alone)
   double window = 2.0;
   /// [m/s] below this speed the course over ground says nothing of the heading
   static constexpr double kCourseSpeed = 0.3;
-  double future_tolerance = 0.1;
+  /// [s] how far ahead of now a stamp may be
+  static constexpr double kFutureTolerance = 0.1;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -160,17 +163,9 @@ struct ParticleFilterOptions {
     v("laser", laser, {.doc = "which sweeps and beams count"});
     v("field", field, {.doc = "what a beam says of a place"});
     v("recovery", recovery, {.doc = "when to search, and what to do with what was found"});
-    v("gate", gate,
-      {.doc = "which measurements are outliers, and when a rejected source is believed after all"});
     v("health", health, {.doc = "when the state is OK, DEGRADED, LOST"});
-    v("window", window,
-      {.unit = "s", .min = 0, .max = 10, .doc = "late measurements are used if not older than this"});
-    v("future_tolerance", future_tolerance,
-      {.unit = "s",
-       .min = 0,
-       .max = 10,
-       .doc = "how far ahead of now a stamp may be; raise it for sensors whose clock runs ahead"});
-    v.retired({"limits", "weight_law", "resampling", "initial", "particle_health", "course_speed", "search"},
+    v.retired({"limits", "weight_law", "resampling", "initial", "particle_health", "course_speed", "search",
+               "gate", "window", "future_tolerance"},
               "a constant of particle_filter_options.hpp");
   }
 };

@@ -26,7 +26,8 @@ struct GridOptions {
   /// [s] other marked cells fade so long after their last hit (set by code alone)
   double young_time = 0.45;
   double decay_time = 10.0;
-  double people_margin = 0.1;
+  /// [m] nothing is marked within a person's radius and this
+  static constexpr double kPeopleMargin = 0.1;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -41,9 +42,8 @@ struct GridOptions {
       {.unit = "m", .min = 0.1, .max = 100, .doc = "beams clear cells up to this range"});
     v("decay_time", decay_time,
       {.unit = "s", .min = 0, .max = 1e6, .doc = "settled cells fade so long after their last hit"});
-    v("people_margin", people_margin,
-      {.unit = "m", .min = 0, .max = 2, .doc = "nothing is marked within a person's radius and this"});
-    v.retired({"hit_margin", "link_gap", "settled_hits", "young_time"}, "a constant of costmap_options.hpp");
+    v.retired({"hit_margin", "link_gap", "settled_hits", "young_time", "people_margin"},
+              "a constant of costmap_options.hpp");
   }
 
   std::optional<std::string> violated_rule() const {

@@ -87,7 +87,7 @@ SweepFault LocalGrid::add(const LaserSweep& sweep, const Pose2& X_OB, const Foot
   empty_ = false;
 
   std::fill(marks_.begin(), marks_.end(), kNothing);
-  for (const Disc& person : people) mark_disc(person.center, person.radius + options_.people_margin, kPerson);
+  for (const Disc& person : people) mark_disc(person.center, person.radius + options_.kPeopleMargin, kPerson);
   mark_under(footprint, X_OB);
   draw(sweep);
   judge(dt);

@@ -30,7 +30,7 @@ class LocalGrid {
 
   /// Takes a sweep in, its scanner in odom. `X_OB`: base_link at that time; the window rolls to have it in
   /// the middle, and what lies under `footprint` is free. `people`: where they are at that time,
-  /// in odom; cells whose centre lies within radius + people_margin are neither marked nor kept. A sweep that
+  /// in odom; cells whose centre lies within radius + kPeopleMargin are neither marked nor kept. A sweep that
   /// is refused changes nothing; one that is earlier than the last by a second or more first forgets
   /// everything.
   SweepFault add(const LaserSweep& sweep, const Pose2& X_OB, const Footprint& footprint,

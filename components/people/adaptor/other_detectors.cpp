@@ -37,7 +37,7 @@ std::vector<HeardSet> OtherDetectors::take(Time until, Time now) {
       if (!read.fault.empty()) continue;
       source.used = now;
       for (HeardPerson& person : read.heard.people)
-        if (person.reliability == 0.0) person.reliability = options_.untold_reliability;
+        if (person.reliability == 0.0) person.reliability = options_.kUntoldReliability;
       taken.push_back(std::move(read.heard));
     }
     // What is of the future waits for its time, but not for ever.

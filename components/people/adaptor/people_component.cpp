@@ -25,8 +25,7 @@ void PeopleComponent::configure(Setup& setup) {
         predictor_->set_options(changed.prediction);
         obstacles_timeout_ = changed.obstacles_timeout;
       },
-      {"scan_topics", "people_topics", "detector.background", "tracker.motion", "tracker.alignment",
-       "prediction.model", "prediction.step"});
+      {"scan_topics", "people_topics", "prediction.model"});
   tracker_ = std::make_unique<Tracker>(parameters.tracker);
   predictor_ = std::make_unique<Predictor>(parameters.prediction);
   obstacles_timeout_ = parameters.obstacles_timeout;
@@ -50,10 +49,8 @@ void PeopleComponent::configure(Setup& setup) {
                                          now_ = tick.now;
                                          on_odometry(message);
                                        });
-  if (parameters.detector.background.use_map) {
-    setup.input<nav_msgs::msg::OccupancyGrid>(
-        "map", Qos::latched(), [this](const auto& message, const Tick&) { on_map(message); }, Need::optional);
-  }
+  setup.input<nav_msgs::msg::OccupancyGrid>(
+      "map", Qos::latched(), [this](const auto& message, const Tick&) { on_map(message); }, Need::optional);
   if (parameters.prediction.model == PredictionModel::social_force) {
     obstacles_ = setup.latest<bandwagon_msgs::msg::Obstacles>("obstacles", Qos::standard(), Need::optional);
   }

@@ -54,7 +54,7 @@ class PeopleListenerComponent final : public Component {
           options_ = changed;
           predictor_->set_options(changed.prediction);
         },
-        {"prediction.model", "prediction.step"});
+        {"prediction.model"});
     predictor_.emplace(options_.prediction);
     odom_frame_ = setup.frame("odom");
     transforms_ = setup.transforms();

@@ -38,7 +38,7 @@ const DetectionSet& Detector::detect(const LaserSweep& sweep, const Surroundings
 }
 
 void Detector::find_background(const Surroundings& surroundings) {
-  const bool use_map = options_.background.use_map && surroundings.X_MO && !map_.empty();
+  const bool use_map = surroundings.X_MO && !map_.empty();
   is_background_.assign(beams_.kinds.size(), 0);
   for (std::size_t i = 0; i < is_background_.size(); ++i) {
     if (beams_.kinds[i] != BeamKind::hit) continue;

@@ -14,22 +14,19 @@ struct ClusterOptions {
   static constexpr double kEdgeJump = 0.05;
   /// this many unusable beams in a row do not part a cluster
   static constexpr int kBridge = 2;
+  /// clusters of fewer points are noise (set by code alone)
   int min_points = 2;
   double max_range = 12.0;
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("min_points", min_points,
-      {.min = 1,
-       .max = 100,
-       .doc = "clusters of fewer points are noise; raise it for fine or noisy scanners"});
     v("max_range", max_range,
       {.unit = "m", .min = 0.5, .max = 100, .doc = "points farther away are not looked at"});
+    v.retired({"min_points"}, "set by code alone, in detector_options.hpp");
   }
 };
 
 struct BackgroundOptions {
-  bool use_map = true;
   /// [m] how near to an occupied cell of the map a point is background
   static constexpr double kMapTolerance = 0.25;
   /// [m] edge of a cell of the local background
@@ -42,11 +39,6 @@ struct BackgroundOptions {
   static constexpr double kKeepOut = 0.4;
   /// a cluster is background when this share of its points is
   static constexpr double kShare = 0.6;
-
-  template <class Visitor>
-  void fields(Visitor& v) {
-    v("use_map", use_map, {.doc = "what lies on the map's walls is background, if there is a map"});
-  }
 };
 
 struct LegFitOptions {
@@ -66,8 +58,7 @@ struct DetectorOptions {
   template <class Visitor>
   void fields(Visitor& v) {
     v("clusters", clusters, {.doc = "which beams belong together"});
-    v("background", background, {.doc = "what has long stood there"});
-    v.retired({"legs"}, "a constant of detector_options.hpp");
+    v.retired({"legs", "background"}, "a constant of detector_options.hpp");
   }
 };
 

@@ -1,9 +1,6 @@
 // Parameters of the prediction of people. Defaults: README.md says what they were measured on.
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "components/model/social_force.hpp"
 #include "runtime/base/choice.hpp"
 #include "runtime/base/field.hpp"
@@ -21,6 +18,7 @@ constexpr auto choice_table(PredictionModel) {
 struct PredictionOptions {
   PredictionModel model = PredictionModel::constant_velocity;
   double horizon = 4.0;
+  /// [s] time between predicted positions (set by code alone)
   double step = 0.5;
   /// [m^2/s^3] white acceleration along the way that people may show against the prediction (set by code
   /// alone)
@@ -46,15 +44,9 @@ struct PredictionOptions {
               "social_force: straight "
               "on, but round one another and along walls"});
     v("horizon", horizon, {.unit = "s", .min = 0, .max = 20, .doc = "how far ahead positions are predicted"});
-    v("step", step, {.unit = "s", .min = 0.05, .max = 5, .doc = "time between predicted positions"});
-    v.retired({"spread_along", "spread_across", "walking_speed", "turn_window", "turn_memory",
+    v.retired({"step", "spread_along", "spread_across", "walking_speed", "turn_window", "turn_memory",
                "calibration_rate", "forces"},
               "a constant of prediction_options.hpp");
-  }
-
-  std::optional<std::string> violated_rule() const {
-    if (horizon / step > 200.0) return "horizon must not exceed 200 step";
-    return std::nullopt;
   }
 };
 

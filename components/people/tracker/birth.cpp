@@ -31,11 +31,11 @@ std::optional<Birth> birth_of_standing_pair(const ClusterTrack& a, const Cluster
   const ClusterTrack& weaker = a_is_weaker ? a : b;
   const ClusterTrack& stronger = a_is_weaker ? b : a;
   const bool half_hidden =
-      leg_share(weaker) < options.standing_score && leg_share(weaker) >= options.kHalfHiddenScore &&
+      leg_share(weaker) < options.kStandingScore && leg_share(weaker) >= options.kHalfHiddenScore &&
       stood >= options.kHalfHiddenTime - kRounding && share_of(weaker, &Sighting::occluded) >= 0.5;
   const double score = leg_share(half_hidden ? stronger : weaker);
   const Gait gait = gait_of(common, common.count);
-  if (stood < options.kStandingTime - kRounding || score < options.standing_score ||
+  if (stood < options.kStandingTime - kRounding || score < options.kStandingScore ||
       gait.misfit > options.kMisfit || gait.widest > options.kStandingSeparation)
     return std::nullopt;
   const bool on_background =

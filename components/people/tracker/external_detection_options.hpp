@@ -1,14 +1,16 @@
 // Parameters of what other detectors tell.
 #pragma once
 
-#include "runtime/base/field.hpp"
-
 namespace bw::people {
 
 struct ExternalDetectionOptions {
-  double position_deviation = 0.2;
-  double trust = 0.4;
-  double memory = 2.0;
+  /// [m] standard deviation of the places that other detectors tell, along each axis
+  static constexpr double kPositionDeviation = 0.2;
+  /// share of a reliability that one message counts for: belief b becomes
+  /// 1 - (1 - b) (1 - kTrust reliability); 0.5 is a confirmed person
+  static constexpr double kTrust = 0.4;
+  /// [s] belief that is not repeated fades with this time constant
+  static constexpr double kMemory = 2.0;
   /// [s] of whom a laser saw within this time the place is the laser's alone
   static constexpr double kSeen = 0.3;
   /// least score of what stands where somebody is told to be, to be a leg of theirs
@@ -22,26 +24,6 @@ struct ExternalDetectionOptions {
   static constexpr double kTold = 1.0;
   /// whom no laser sees is gone when the belief has sunk to this
   static constexpr double kForgotten = 0.2;
-
-  template <class Visitor>
-  void fields(Visitor& v) {
-    v("position_deviation", position_deviation,
-      {.unit = "m",
-       .min = 0.01,
-       .max = 5,
-       .doc = "standard deviation of the places that other detectors tell, along each axis"});
-    v("trust", trust,
-      {.min = 0,
-       .max = 1,
-       .doc = "share of a reliability that one message counts for: belief b becomes 1 - (1 - b) (1 - trust * "
-              "reliability); 0.5 is a confirmed person"});
-    v("memory", memory,
-      {.unit = "s",
-       .min = 0.1,
-       .max = 60,
-       .doc = "belief that is not repeated fades with this time constant"});
-    v.retired({"seen", "leg_score", "unseen_limit"}, "a constant of external_detection_options.hpp");
-  }
 };
 
 }  // namespace bw::people

@@ -54,13 +54,13 @@ std::vector<int> match_heard(const std::vector<HeardPerson>& heard, const std::v
 }
 
 double believed(double belief, double reliability, const ExternalDetectionOptions& options) {
-  return 1.0 - (1.0 - belief) * (1.0 - options.trust * reliability);
+  return 1.0 - (1.0 - belief) * (1.0 - options.kTrust * reliability);
 }
 
 NearLegs legs_near(const Vector2& position, double now, const std::vector<ClusterTrack>& clusters,
                    const ExternalDetectionOptions& options) {
   std::vector<int> near;
-  const double reach = 2.0 * options.position_deviation;
+  const double reach = 2.0 * options.kPositionDeviation;
   for (std::size_t i = 0; i < clusters.size(); ++i) {
     const Sighting& last = clusters[i].last();
     if (now - last.time <= options.kSeen && last.human_score() >= options.kLegScore &&
@@ -99,7 +99,7 @@ PersonTrack person_of(const HeardPerson& heard, double deviation, Time now, cons
                                       deviation * deviation, speed * speed),
                      .born = now,
                      .confirmed = now,
-                     .last_seen = now - Duration::seconds(options.hidden.remembered),
+                     .last_seen = now - Duration::seconds(options.hidden.kRemembered),
                      .score = 0.0};
   person.existence.prior = Existence::kUnseen;
   if (options.motion == MotionFilter::heading) {

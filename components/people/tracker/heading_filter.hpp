@@ -9,13 +9,13 @@
 #pragma once
 
 #include "components/people/tracker/heading_model.hpp"
-#include "runtime/base/field.hpp"
 
 namespace bw::people {
 
 /// theory.md 7.3 compares the defaults with heading_noise 0.5, acceleration 0.8 for both, position_noise
 /// 0.05.
 struct HeadingOptions {
+  /// [rad/s/sqrt(Hz)] how fast people who walk change direction (set by code alone)
   double heading_noise = 0.7;
   /// [m/s^2/sqrt(Hz)] how fast people who walk change their speed (set by code alone)
   double acceleration = 0.8;
@@ -32,19 +32,6 @@ struct HeadingOptions {
   double turn_rate_noise = 1.0;
   /// [s] a turn rate dies out within this time (time constant) (set by code alone)
   double turn_rate_memory = 0.6;
-
-  template <class Visitor>
-  void fields(Visitor& v) {
-    v("heading_noise", heading_noise,
-      {.unit = "rad/s/sqrt(Hz)",
-       .min = 0.01,
-       .max = 10,
-       .doc = "how fast people who walk change direction; raise it to follow turns, lower it for calmer "
-              "headings"});
-    v.retired({"acceleration", "acceleration_standing", "walking_speed", "position_noise", "turn_rate",
-               "turn_noise", "turn_memory"},
-              "a constant of heading_filter.hpp");
-  }
 };
 
 /// A position where somebody was seen.

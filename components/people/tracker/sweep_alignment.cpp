@@ -105,7 +105,7 @@ std::optional<Eigen::Vector3d> SweepAlignment::correction_of(const DetectionSet&
 }
 
 Pose2 SweepAlignment::align(const DetectionSet& sweep) {
-  const bool usable = options_.enabled && sweep.angle_increment > 0.0 && !sweep.free_ranges.empty();
+  const bool usable = sweep.angle_increment > 0.0 && !sweep.free_ranges.empty();
   const bool moved = !last_ || (sweep.sensor - last_->sensor).norm() > kAtRest ||
                      std::abs(wrap_angle(sweep.angle_min - last_->angle_min)) > kAtRest;
   last_ = View{sweep.sensor, sweep.angle_min};

@@ -10,13 +10,11 @@
 #include <vector>
 
 #include "components/people/detection.hpp"
-#include "runtime/base/field.hpp"
 #include "runtime/base/pose2.hpp"
 
 namespace bw::people {
 
 struct AlignmentOptions {
-  bool enabled = true;
   /// [m] standard deviation of a range
   static constexpr double kRangeNoise = 0.02;
   /// [m] points farther than this from what the sweep before saw say nothing
@@ -27,11 +25,6 @@ struct AlignmentOptions {
   static constexpr double kRotationSigma = 0.015;
   /// of points that must fit, or odometry is believed
   static constexpr double kLeastShare = 0.4;
-
-  template <class Visitor>
-  void fields(Visitor& v) {
-    v("enabled", enabled, {.doc = "take odometry's errors from sweep to sweep out of people's motion"});
-  }
 };
 
 class SweepAlignment {

@@ -66,7 +66,7 @@ void Tracker::Impl::predict_to(Time time) {
   for (PersonTrack& person : people_) {
     person.walker.predict(dt, options_.walker);
     if (person.heading) person.heading->predict(dt, options_.heading);
-    if (person.heard > 0.0) person.heard *= std::exp(-dt / options_.hearing.memory);
+    if (person.heard > 0.0) person.heard *= std::exp(-dt / options_.hearing.kMemory);
   }
   for (ClusterTrack& cluster : clusters_) cluster.predict(dt);
 }
@@ -293,7 +293,7 @@ void Tracker::Impl::delete_tracks() {
   };
   std::ranges::copy_if(people_, std::back_inserter(lost_), gone);
   std::erase_if(people_, gone);
-  const Duration remembered = Duration::seconds(options_.hidden.remembered);
+  const Duration remembered = Duration::seconds(options_.hidden.kRemembered);
   std::erase_if(lost_, [&](const PersonTrack& person) {
     const Duration stood = std::max(remembered, Duration::seconds(HiddenOptions::kStoodRemembered));
     return *now_ > person.last_known() + (person.stood() ? stood : remembered);
@@ -351,11 +351,11 @@ void Tracker::Impl::report() {
   reported_.clear();
   const Pose2 X_OS = inverse(X_SO_);
   for (const PersonTrack& person : people_)
-    reported_.push_back(report_of(person, X_OS, options_.person_radius));
+    reported_.push_back(report_of(person, X_OS, options_.kPersonRadius));
   for (ClusterTrack& cluster : clusters_) {
     if (!may_be_somebody(cluster)) continue;
     if (cluster.id == 0) cluster.id = ++last_id_;
-    reported_.push_back(report_of(cluster, origin_, X_OS, options_.person_radius));
+    reported_.push_back(report_of(cluster, origin_, X_OS, options_.kPersonRadius));
   }
   std::ranges::sort(reported_, {}, &TrackedPerson::id);
 }

@@ -16,13 +16,13 @@ const std::vector<TrackedPerson>& Tracker::Impl::hear(const HeardSet& heard) {
   begin_at(heard.time);
   if (!now_ || heard.time > *now_) predict_to(heard.time);
   const double late = (*now_ - heard.time).to_seconds();
-  std::vector<HeardPerson> told = without_doubles(heard.people, options_.person_radius);
+  std::vector<HeardPerson> told = without_doubles(heard.people, options_.kPersonRadius);
   for (HeardPerson& person : told) {
     person.position = X_SO_ * person.position;
     person.velocity = rotate(X_SO_, person.velocity);
   }
   const std::vector<int> whose =
-      match_heard(told, people_, late, options_.hearing.position_deviation, options_.association);
+      match_heard(told, people_, late, options_.hearing.kPositionDeviation, options_.association);
   for (std::size_t i = 0; i < told.size(); ++i)
     if (whose[i] >= 0) believe(told[i], late, people_[static_cast<std::size_t>(whose[i])]);
   for (std::size_t i = 0; i < told.size(); ++i)
@@ -41,7 +41,7 @@ void Tracker::Impl::believe(const HeardPerson& told, double late, PersonTrack& p
   if (person.last_seen + Duration::seconds(hearing.kSeen) >= *now_) return;
   HeardPerson there = told;
   there.position += late * person.walker.velocity();
-  correct_by(there, hearing.position_deviation, options_, person);
+  correct_by(there, hearing.kPositionDeviation, options_, person);
   if (follow_legs_near(person)) return;
   // Legs that appear here are theirs: as of somebody who was out of sight just long enough.
   person.sure = {seconds() - options_.hidden.kAbsent,
@@ -51,7 +51,7 @@ void Tracker::Impl::believe(const HeardPerson& told, double late, PersonTrack& p
 
 void Tracker::Impl::begin_with(const HeardPerson& told, double late) {
   const double unsure = late * ExternalDetectionOptions::kUntoldSpeed;
-  const double deviation = std::hypot(options_.hearing.position_deviation, unsure);
+  const double deviation = std::hypot(options_.hearing.kPositionDeviation, unsure);
   HeardPerson there = told;
   there.position += late * told.velocity;
   PersonTrack person = person_of(there, deviation, *now_, options_);

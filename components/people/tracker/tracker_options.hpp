@@ -8,7 +8,6 @@
 #include "components/people/tracker/heading_filter.hpp"
 #include "components/people/tracker/sweep_alignment.hpp"
 #include "components/people/tracker/walker.hpp"
-#include "runtime/base/choice.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw::people {
@@ -42,7 +41,8 @@ struct BirthOptions {
   int sightings = 3;
   /// [s] the last so many sightings are no longer ago than this
   static constexpr double kWithin = 0.45;
-  double travel = 0.2;
+  /// [m] way that the middle of the pair must have walked
+  static constexpr double kTravel = 0.2;
   /// [m] widest distance from leg to leg while walking
   static constexpr double kSeparation = 0.6;
   /// [m] how far the middle of the pair may be from a straight way (root mean square)
@@ -53,9 +53,10 @@ struct BirthOptions {
   static constexpr double kStandingTime = 0.3;
   /// [m] from leg to leg, at most, while standing
   static constexpr double kStandingSeparation = 0.42;
-  double standing_score = 0.7;
+  /// least leg score of each leg of a pair that stands
+  static constexpr double kStandingScore = 0.7;
   /// score of a leg that stands behind the edge of something, half of the time or more; the other one has
-  /// standing_score.
+  /// kStandingScore.
   /// Such a pair is one where people walk about and little else looks like a leg,
   static constexpr double kHalfHiddenScore = 0.4;
   /// and is seen for so long [s]
@@ -89,16 +90,7 @@ struct BirthOptions {
   void fields(Visitor& v) {
     v("sightings", sightings,
       {.min = 2, .max = 12, .doc = "a pair that walks is a person after this many sightings of both legs"});
-    v("travel", travel,
-      {.unit = "m",
-       .min = 0.05,
-       .max = 3,
-       .doc = "way that the middle of the pair must have walked; raise it against false people"});
-    v("standing_score", standing_score,
-      {.min = 0,
-       .max = 1,
-       .doc = "least leg score of each leg of a pair that stands; raise it against chairs"});
-    v.retired({"misfit"}, "a constant of tracker_options.hpp");
+    v.retired({"misfit", "travel", "standing_score"}, "a constant of tracker_options.hpp");
   }
 };
 
@@ -168,7 +160,8 @@ struct HiddenOptions {
   static constexpr double kSamePosition = 0.35;
   /// [s] somebody not seen for sure for this long is hidden, and may come back as somebody who appears
   static constexpr double kAbsent = 0.25;
-  double remembered = 20.0;
+  /// [s] who appears so long after somebody was lost may be them
+  static constexpr double kRemembered = 20.0;
   /// guesses of where somebody hidden is
   static constexpr int kGuesses = 100;
   /// [m/s] standard deviation of a velocity when somebody is lost from sight, per axis
@@ -190,29 +183,25 @@ struct HiddenOptions {
   /// [s^2/m^4] density of people nobody has seen before: who appears where somebody lost is less likely is
   /// somebody new (set by code alone)
   double newcomers = 0.0005;
-
-  template <class Visitor>
-  void fields(Visitor& v) {
-    v("remembered", remembered,
-      {.unit = "s", .min = 0, .max = 60, .doc = "who appears so long after somebody was lost may be them"});
-    v.retired({"newcomers"}, "a constant of tracker_options.hpp");
-  }
 };
 
 /// Which filter of a person's motion is reported.
-enum class MotionFilter { gait, heading };
-constexpr auto choice_table(MotionFilter) {
-  return choices<MotionFilter>({{MotionFilter::gait, "gait"}, {MotionFilter::heading, "heading"}});
-}
+enum class MotionFilter {
+  gait,     ///< both legs swing (walker)
+  heading,  ///< position, heading and speed of the point between the legs (heading)
+};
 
 struct TrackerOptions {
-  double person_radius = 0.3;
+  /// [m] radius that is reported of everybody
+  static constexpr double kPersonRadius = 0.3;
   /// [s] a longer silence of the laser, or jump back in time, forgets everybody
   static constexpr double kLongestGap = 1.0;
   /// most detections of a sweep; of more the least human are ignored
   static constexpr int kMaxDetections = 1000;
   AlignmentOptions alignment;
   AssociationOptions association;
+  /// whose position, velocity and covariance are reported; legs are always assigned by the gait (set by code
+  /// alone)
   MotionFilter motion = MotionFilter::heading;
   WalkerOptions walker;
   HeadingOptions heading;
@@ -224,20 +213,11 @@ struct TrackerOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("person_radius", person_radius,
-      {.unit = "m", .min = 0.05, .max = 1, .doc = "radius that is reported of everybody"});
-    v("alignment", alignment, {.doc = "taking out errors of odometry from sweep to sweep"});
-    v("motion", motion,
-      {.doc =
-           "which filter's position, velocity and covariance are reported; legs are always assigned by the "
-           "gait. gait: both legs swing (walker); heading: position, heading and speed of the point between "
-           "the legs (heading)"});
-    v("heading", heading, {.doc = "the filter that motion: heading reports"});
     v("birth", birth, {.doc = "when clusters become a person"});
     v("death", death, {.doc = "when a person is no longer believed to be there"});
-    v("hidden", hidden, {.doc = "where people may be who are not seen, and who of them appears again"});
-    v("hearing", hearing, {.doc = "people whom other detectors tell of"});
-    v.retired({"association", "walker", "untangle"}, "a constant of tracker_options.hpp");
+    v.retired({"association", "walker", "untangle", "person_radius", "alignment", "motion", "heading",
+               "hidden", "hearing"},
+              "a constant of tracker_options.hpp");
   }
 };
 

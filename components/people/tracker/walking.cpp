@@ -40,7 +40,7 @@ std::optional<Walk> walk_of_pair(const ClusterTrack& a, const ClusterTrack& b, c
   if (gait.misfit > options.kMisfit || gait.widest > options.kSeparation) return std::nullopt;
   const int oldest = common.count - 1;
   const double distance = gait.velocity.norm() * (common.time(0) - common.time(oldest));
-  if (distance < options.travel) return std::nullopt;
+  if (distance < options.kTravel) return std::nullopt;
   if (!both_moved(common, distance)) return std::nullopt;
   return Walk{distance, gait.velocity.norm()};
 }

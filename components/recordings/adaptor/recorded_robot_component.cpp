@@ -28,7 +28,7 @@ class RecordedRobotComponent final : public Component {
     read_bag(setup, robot);
     if (options_.make_sensors) {
       add_synthetic_sensors(drive_, options_.synthetic,
-                            {options_.datum_latitude, options_.datum_longitude, 0.0}, setup.seed());
+                            {options_.kDatumLatitude, options_.kDatumLongitude, 0.0}, setup.seed());
     }
     held_out_.fixes = hold_out(drive_, options_.hold_out);
     events_ = events_between(drive_, options_.start, options_.end);

@@ -30,7 +30,7 @@ class DijkstraOracle {
         for (int r = std::max(row - reach, 0); r <= std::min(row + reach, map.height - 1); ++r) {
           for (int c = std::max(column - reach, 0); c <= std::min(column + reach, map.width - 1); ++c) {
             const std::int8_t value = map.at(c, r);
-            const bool obstacle = value < 0 ? options.unknown_is_obstacle : value >= options.occupied_at;
+            const bool obstacle = value < 0 ? options.unknown_is_obstacle : value >= options.kOccupiedAt;
             if (!obstacle) continue;
             nearest = std::min(nearest, (map.center(c, r) - from).norm());
             if (narrow != nullptr) nearest = std::min(nearest, distance_to_joints(c, r, from, options));
@@ -90,7 +90,7 @@ class DijkstraOracle {
     for (const auto& [dc, dr] : {std::pair{1, 0}, {0, 1}}) {
       if (!map_.contains(c + dc, r + dr)) continue;
       const std::int8_t value = map_.at(c + dc, r + dr);
-      if (!(value < 0 ? options.unknown_is_obstacle : value >= options.occupied_at)) continue;
+      if (!(value < 0 ? options.unknown_is_obstacle : value >= options.kOccupiedAt)) continue;
       const Vector2 a = map_.center(c, r);
       const Vector2 step = map_.center(c + dc, r + dr) - a;
       const double share = std::clamp((from - a).dot(step) / step.squaredNorm(), 0.0, 1.0);

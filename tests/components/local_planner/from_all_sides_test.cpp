@@ -182,7 +182,7 @@ TEST(FromAllSides, TheWaitingRobotMakesRoom) {
       EXPECT_TRUE(outcome.reached);
     }
   }
-  // At 0.6 m after 4 s it is brushed by 0.02 m; with eteb.uncertainty_in_choice 1 it is not (teb/evidence.md
+  // At 0.6 m after 4 s it is brushed by 0.02 m; with uncertainty_in_choice 1 it is not (teb/evidence.md
   // 6.8).
   test::expect_at_most("contacts of the waiting robot, of 6", {.asked = 0, .measured = 1}, contacts);
 }

@@ -177,7 +177,7 @@ TEST(EkfLate, OlderThanTheWindowAndTwiceAreCounted) {
   fix.time = now - Duration::milliseconds(2001);
   EXPECT_EQ(ekf.add(fix, now).verdict, Verdict::too_old);
   EXPECT_EQ(ekf.add(drive.measurements.back(), now).verdict, Verdict::duplicate);
-  fix.time = now + Duration::milliseconds(101);  // future_tolerance is 0.1 s
+  fix.time = now + Duration::milliseconds(101);  // kFutureTolerance is 0.1 s
   EXPECT_EQ(ekf.add(fix, now).verdict, Verdict::future);
   expect_same_bits(before, ekf.state());
   EXPECT_EQ(ekf.count(Verdict::too_old), 1U);

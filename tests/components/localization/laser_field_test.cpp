@@ -52,8 +52,8 @@ void expect_cell(const OccupancyGrid& map, const std::vector<Cell>& occupied, co
   const bool known = inside && map.at(column, row) >= 0;
   ASSERT_EQ(field.known(p.x(), p.y()), known) << column << " " << row;
   double likelihood =
-      o.z_hit * std::exp(-d * d / (2.0 * o.sigma_hit * o.sigma_hit)) + o.z_rand / o.laser_max_range;
-  if (!known) likelihood = std::max(likelihood, 1.0 / o.laser_max_range);
+      o.z_hit * std::exp(-d * d / (2.0 * o.sigma_hit * o.sigma_hit)) + o.z_rand / o.kLaserMaxRange;
+  if (!known) likelihood = std::max(likelihood, 1.0 / o.kLaserMaxRange);
   ASSERT_NEAR(field.log_likelihood(p.x(), p.y()), std::log(likelihood), 1e-5) << column << " " << row;
 }
 
@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(Maps, RealMap,
 TEST(LikelihoodField, FarOutsideAndNoNumberSayWhatTheUnknownSays) {
   OccupancyGrid map{.resolution = 0.1, .width = 3, .height = 1, .cells = {0, 100, 0}};
   const LikelihoodField field(map, {});
-  const double nothing = std::log(1.0 / field.options().laser_max_range);
+  const double nothing = std::log(1.0 / field.options().kLaserMaxRange);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double x : {-1e300, -50.0, 50.0, 1e300, infinity, -infinity, nan}) {

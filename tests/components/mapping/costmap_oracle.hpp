@@ -129,7 +129,7 @@ class CostmapOracle {
   void judge(State& s, const View& view, const Vector2& center, const Pose2& X_OB, double robot_radius,
              const std::vector<Disc>& people) {
     for (const Disc& p : people) {
-      if ((center - p.center).norm() > p.radius + options_.people_margin) continue;
+      if ((center - p.center).norm() > p.radius + options_.kPeopleMargin) continue;
       s = {.value = s.value > 0 ? OccupancyGrid::kFree : s.value};
       return;
     }

@@ -158,11 +158,10 @@ TEST_F(RecordedRobot, MakesReceiverAndCompassFromTheReference) {
   write("groundtruth_10hz.csv", truth);
   write("odometry.csv", "t_s,v_mps,omega_radps\n0,1,0\n2.5,0,0\n");
   const Heard heard =
-      play("mrclam",
-           "make_sensors: true, synthetic: {gps_noise: 0.001, compass_noise: 0.001}, datum_latitude: 50");
+      play("mrclam", "make_sensors: true, synthetic: {gps_noise: 0.001, compass_noise: 0.001}");
   EXPECT_EQ(heard.odometry.size(), 26U);  // at least every 0.1 s
   ASSERT_EQ(heard.fixes.size(), 2U);
-  EXPECT_NEAR(heard.fixes[0].latitude(), 50.0 + 1.0 / 111'229.0, 1e-7);  // metres a degree of latitude there
+  EXPECT_NEAR(heard.fixes[0].latitude(), 21.0 + 1.0 / 110'717.0, 1e-7);  // metres a degree of latitude there
   ASSERT_EQ(heard.imu.size(), 25U);
   EXPECT_NEAR(yaw_of(heard.imu[3].orientation()), 1.5708, 0.005);
   EXPECT_EQ(heard.imu[3].angular_velocity_covariance()[0], -1.0);  // no gyro
