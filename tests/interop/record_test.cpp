@@ -4,6 +4,7 @@
 #include <fstream>
 #include <map>
 #include <string>
+#include <string_view>
 
 #include <diagnostic_msgs/msg/diagnostic_array.hpp>
 #include <gmock/gmock.h>
@@ -29,9 +30,9 @@ Bytes scan(std::int64_t stamp_ns, std::size_t beams) {
   return cdr;
 }
 
-const bag::BagTopic& topic_of(const bag::Bag& recording, const std::string& name) {
+const bag::BagTopic& topic_of(const bag::Bag& recording, std::string_view name) {
   const auto found = std::ranges::find(recording.topics(), name, &bag::BagTopic::name);
-  if (found == recording.topics().end()) throw std::runtime_error("the bag has no " + name);
+  if (found == recording.topics().end()) throw std::runtime_error("the bag has no " + std::string(name));
   return *found;
 }
 

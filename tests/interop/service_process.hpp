@@ -4,6 +4,7 @@
 #include <csignal>
 #include <fstream>
 #include <string>
+#include <string_view>
 
 #include "tests/interop/plain/service.hpp"
 #include "tests/interop/process.hpp"
@@ -38,11 +39,11 @@ inline plain::ServiceType plain_type(const Golden& golden) {
   return {golden.type, "RIHS01_" + golden.request_hash, "RIHS01_" + golden.response_hash};
 }
 
-inline const Golden& golden_of(const std::string& service) {
+inline const Golden& golden_of(std::string_view service) {
   for (const Golden& entry : golden()) {
     if (entry.service == service) return entry;
   }
-  throw std::logic_error("no golden bytes of " + service);
+  throw std::logic_error("no golden bytes of " + std::string(service));
 }
 
 }  // namespace bw::test
