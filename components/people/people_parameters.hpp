@@ -14,8 +14,10 @@ namespace bw::people {
 
 struct OtherDetectorOptions {
   std::vector<std::string> people_topics;
-  double people_timeout = 0.5;
-  double people_silence = 1.0;
+  /// [s] their messages of a stamp that is farther from now are not used
+  static constexpr double kPeopleTimeout = 0.5;
+  /// [s] another detector that is silent for longer is told to be missing: it is to speak once a second
+  static constexpr double kPeopleSilence = 1.0;
   /// of people with reliability 0, as of a detector that tells none
   static constexpr double kUntoldReliability = 0.5;
 
@@ -24,17 +26,8 @@ struct OtherDetectorOptions {
     v("people_topics", people_topics,
       {.doc =
            "people_msgs/People of other detectors (a camera), fused with what the lasers see; none: lasers alone"});
-    v("people_timeout", people_timeout,
-      {.unit = "s",
-       .min = 0.01,
-       .max = 1,
-       .doc = "their messages of a stamp that is farther from now are not used"});
-    v("people_silence", people_silence,
-      {.unit = "s",
-       .min = 0.1,
-       .max = 60,
-       .doc = "another detector that is silent for longer is told to be missing"});
-    v.retired({"untold_reliability"}, "a constant of people_parameters.hpp");
+    v.retired({"people_timeout", "people_silence", "untold_reliability"},
+              "a constant of people_parameters.hpp");
   }
 };
 

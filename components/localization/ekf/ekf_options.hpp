@@ -128,7 +128,8 @@ struct InitialOptions {
 };
 
 struct HealthOptions {
-  double source_timeout = 1.0;
+  /// [s] a source that is silent for longer, and for 2.5 of its own periods, makes the state DEGRADED
+  static constexpr double kSourceTimeout = 1.0;
   double lost_two_sigma = 2.0;
   /// [m] DEGRADED when two standard deviations of the position exceed this: half of the lost_two_sigma that
   /// the filter comes with
@@ -142,17 +143,12 @@ struct HealthOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("source_timeout", source_timeout,
-      {.unit = "s",
-       .min = 0.05,
-       .max = 100,
-       .doc = "a source that is silent for longer (and 2.5 of its own periods) makes the state DEGRADED"});
     v("lost_two_sigma", lost_two_sigma,
       {.unit = "m",
        .min = 0.01,
        .max = 1000,
        .doc = "LOST when two standard deviations of the position exceed this; with it the robot stops"});
-    v.retired({"degraded_two_sigma"}, "a constant of ekf_options.hpp");
+    v.retired({"source_timeout", "degraded_two_sigma"}, "a constant of ekf_options.hpp");
   }
 };
 

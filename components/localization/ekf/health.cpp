@@ -53,7 +53,7 @@ class Assessment {
       const double unseen = age(s.last_seen);
       health_.sources.push_back(
           {i, unseen, s.period, s.used, s.rejected, s.acceptance, s.nis, s.nis_all, s.dof});
-      const double patience = std::max(options_.health.source_timeout, kPeriods * s.period);
+      const double patience = std::max(options_.health.kSourceTimeout, kPeriods * s.period);
       if (unseen > patience) {
         worsen(HealthState::degraded, {HealthCause::source_silent, i, unseen});
         continue;

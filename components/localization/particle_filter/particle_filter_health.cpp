@@ -44,7 +44,7 @@ void judge_sources(Report& report, const std::vector<SourceWatch>& sources, cons
     figures.source = i;
     figures.age = report.age(s.last_seen());
     report.health.sources.push_back(figures);
-    const double patience = std::max(limits.source_timeout, kPeriods * figures.period);
+    const double patience = std::max(limits.kSourceTimeout, kPeriods * figures.period);
     if (figures.age > patience) {
       report.worsen(HealthState::degraded, {HealthCause::source_silent, i, figures.age});
       continue;

@@ -30,7 +30,7 @@ std::vector<HeardSet> OtherDetectors::take(Time until, Time now) {
   for (Source& source : sources_) {
     while (!source.waiting.empty() && from_stamp(source.waiting.front().header().stamp()) <= until) {
       const people_msgs::msg::People& message = source.waiting.front();
-      ReadPeople read = read_people(message, now, options_.people_timeout, odom_frame_, *transforms_);
+      ReadPeople read = read_people(message, now, options_.kPeopleTimeout, odom_frame_, *transforms_);
       if (message.people().size() > kMaxPeople) read.fault = "it tells of more than 200 people";
       note(source, read.fault);
       source.waiting.pop_front();
@@ -43,7 +43,7 @@ std::vector<HeardSet> OtherDetectors::take(Time until, Time now) {
     // What is of the future waits for its time, but not for ever.
     std::erase_if(source.waiting, [&](const people_msgs::msg::People& message) {
       const bool is_far =
-          from_stamp(message.header().stamp()) > now + Duration::seconds(options_.people_timeout);
+          from_stamp(message.header().stamp()) > now + Duration::seconds(options_.kPeopleTimeout);
       if (is_far) note(source, "its stamp is not of now");
       return is_far;
     });
@@ -63,7 +63,7 @@ void OtherDetectors::note(Source& source, const std::string& fault) {
 std::string OtherDetectors::complaint(Time now) const {
   for (const Source& source : sources_) {
     if (source.fault) return "people of '" + source.topic + "' are not used: " + source.fault.what();
-    if (!source.used || now - *source.used > Duration::seconds(options_.people_silence))
+    if (!source.used || now - *source.used > Duration::seconds(options_.kPeopleSilence))
       return "nobody is heard on '" + source.topic + "'";
   }
   return {};
