@@ -131,9 +131,8 @@ struct HealthOptions {
   /// [s] a source that is silent for longer, and for 2.5 of its own periods, makes the state DEGRADED
   static constexpr double kSourceTimeout = 1.0;
   double lost_two_sigma = 2.0;
-  /// [m] DEGRADED when two standard deviations of the position exceed this: half of the lost_two_sigma that
-  /// the filter comes with
-  static constexpr double kDegradedTwoSigma = 1.0;
+  /// DEGRADED when two standard deviations of the position exceed this share of lost_two_sigma
+  static constexpr double kDegradedShare = 0.5;
   /// [rad] LOST when the standard deviation of the heading exceeds this
   static constexpr double kLostHeadingSigma = 0.8;
   /// [s] LOST when no position passed the gate for so long while positions came
@@ -147,7 +146,8 @@ struct HealthOptions {
       {.unit = "m",
        .min = 0.01,
        .max = 1000,
-       .doc = "LOST when two standard deviations of the position exceed this; with it the robot stops"});
+       .doc = "LOST when two standard deviations of the position exceed this, DEGRADED from half of it; with "
+              "LOST the robot stops"});
     v.retired({"source_timeout", "degraded_two_sigma"}, "a constant of ekf_options.hpp");
   }
 };
@@ -188,8 +188,6 @@ struct EkfOptions {
   }
 
   std::optional<std::string> violated_rule() const {
-    if (health.lost_two_sigma < HealthOptions::kDegradedTwoSigma)
-      return "health.lost_two_sigma must be at least 1 m, from which the state is DEGRADED";
     if (gate.enabled && gate.reacquire_after < HealthOptions::kLostRejection)
       return "gate.reacquire_after must be at least 3 s, or LOST is never told";
     if (MotionOptions::kGyroGap > motion.extrapolation && motion.extrapolation > 0.0)

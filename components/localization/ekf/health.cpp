@@ -24,7 +24,7 @@ class Assessment {
     health_.two_sigma = 2.0 * axes.x() / std::sqrt(chi_square_quantile(0.95, 2));
     health_.heading_sigma = std::sqrt(std::max(0.0, state_.P(2, 2)));
     const HealthOptions& limits = options_.health;
-    if (health_.two_sigma > limits.kDegradedTwoSigma) {
+    if (health_.two_sigma > limits.kDegradedShare * limits.lost_two_sigma) {
       worsen(health_.two_sigma > limits.lost_two_sigma ? HealthState::lost : HealthState::degraded,
              {HealthCause::uncertain_position, -1, health_.two_sigma});
     }

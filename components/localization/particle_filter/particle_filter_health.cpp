@@ -26,7 +26,7 @@ void judge_spread(Report& report, const Eigen::Matrix3d& C, const HealthOptions&
   const Vector2 axes = ellipse_95(C.topLeftCorner<2, 2>());
   health.two_sigma = 2.0 * axes.x() / std::sqrt(chi_square_quantile(0.95, 2));
   health.heading_sigma = std::sqrt(std::max(0.0, C(2, 2)));
-  if (health.two_sigma > limits.kDegradedTwoSigma) {
+  if (health.two_sigma > limits.kDegradedShare * limits.lost_two_sigma) {
     report.worsen(health.two_sigma > limits.lost_two_sigma ? HealthState::lost : HealthState::degraded,
                   {HealthCause::uncertain_position, -1, health.two_sigma});
   }

@@ -163,9 +163,6 @@ TEST(CourseFromFixes, FindTheHeadingWithoutACompass) {
 TEST(EkfOptionsRule, NamesCombinationsThatMakeNoSense) {
   EXPECT_FALSE(EkfOptions{}.violated_rule().has_value());
   EkfOptions options;
-  options.health.lost_two_sigma = 0.5;
-  EXPECT_TRUE(options.violated_rule().has_value());
-  options = {};
   options.motion.extrapolation = 0.05;
   EXPECT_TRUE(options.violated_rule().has_value());
   options = {};
