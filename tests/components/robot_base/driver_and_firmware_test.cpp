@@ -61,11 +61,11 @@ class Bench {
       for (const Bytes& bytes : std::exchange(wire_.from_host, {})) wire_.put(firmware_.receive(now, bytes));
       body.left_ticks = static_cast<std::int32_t>(std::lround(travel.left / metres_per_tick_));
       body.right_ticks = static_cast<std::int32_t>(std::lround(travel.right / metres_per_tick_));
-      const WheelSpeeds wheels = firmware_.motors();
-      body.twist = to_twist(wheels, separation_);
+      const WheelSpeeds turning = firmware_.motors();
+      body.twist = to_twist(turning, separation_);
       wire_.put(firmware_.step(now, body));
-      travel.left += wheels.left * 0.01;
-      travel.right += wheels.right * 0.01;
+      travel.left += turning.left * 0.01;
+      travel.right += turning.right * 0.01;
     }
     counters = driver_.counters();
   }
