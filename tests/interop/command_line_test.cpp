@@ -153,7 +153,7 @@ TEST_F(CommandLine, ParamListCountsNames) {
       {"param", "list", "--all", "--count", nav2 + "planner_server.yaml", nav2 + "collision_monitor.yaml"});
   EXPECT_EQ(count.status, 0) << count.err;
   EXPECT_EQ(count.out,
-            "   28 collision_monitor\n    8 global_costmap\n    7 global_planner\n   22 robot\n   65\n");
+            "   26 collision_monitor\n    7 global_costmap\n    6 global_planner\n   22 robot\n   61\n");
 
   // Of the walls and boxes of a map server 4 and 5, though it has none.
   const Folder folder;

@@ -123,10 +123,10 @@ TEST(Frames, OfARobotWithNamespaceAndPrefixHangOnTheMapAllShare) {
 TEST(Frames, OfSensorsThatTheRobotDoesNotListSitAtTheBase) {
   const std::string graph = (std::filesystem::temp_directory_path() / "frames.yaml").string();
   std::ofstream(graph)
-      << "components:\n  world: {parameters: {gps: {frame: antenna}}}\n  robot_base:\n    inputs: "
+      << "components:\n  world: {parameters: {laser: {frame: scanner}}}\n  robot_base:\n    inputs: "
          "{wheel_commands: {external: true}}\n";
   const Frames frames = frames_of_run(graph, "2");
-  for (const char* sensor : {"laser", "imu", "antenna"}) {
+  for (const char* sensor : {"scanner", "imu", "gps"}) {
     EXPECT_TRUE(frames.named_by.contains(sensor)) << sensor;
     EXPECT_EQ(frames.parent.contains(sensor) ? frames.parent.at(sensor) : "", "base_link") << sensor;
   }
