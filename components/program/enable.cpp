@@ -1,4 +1,5 @@
-// `bandwagon enable`: a robot that starts by itself. Writes its robot file, its options and systemd's link, and says what it did.
+// `bandwagon enable`: a robot that starts by itself. Writes its robot file, its options and systemd's link, and
+// says what it did.
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -41,20 +42,26 @@ std::string name_of(const fs::path& robot_file) {
     return std::isalnum(c) != 0 || c == '_' || c == '-';
   });
   if (!is_plain)
-    throw std::runtime_error(fmt::format("{}: a unit's name has letters, digits, _ and - alone; rename the file", robot_file.string()));
+    throw std::runtime_error(fmt::format(
+        "{}: a unit's name has letters, digits, _ and - alone; rename the file", robot_file.string()));
   return name;
 }
 
 fs::path below(const fs::path& root, const fs::path& path) { return root / path.relative_path(); }
 
-/// The service has no access to people's folders; whether a map of another machine's will be there is not known here.
+/// The service has no access to people's folders, and systemd takes options apart at blanks. Whether a map of
+/// another machine's will be there is not known here.
 fs::path readable_map(const fs::path& map, const fs::path& root) {
   const fs::path path = fs::canonical(map);
+  if (path.string().find_first_of(" \t\n\"'\\$%") != std::string::npos)
+    throw std::runtime_error(path.string() +
+                             ": blanks, quotes, \\, $ and % are no part of a service's options; rename it");
   if (root != "/") return path;
   for (const char* hidden : {"/home", "/root", "/tmp"}) {
     if (path.string().starts_with(std::string(hidden) + "/"))
-      throw std::runtime_error(fmt::format("{}: the service cannot read below {}; copy the map, with its picture, to /etc/bandwagon/maps",
-                                           path.string(), hidden));
+      throw std::runtime_error(fmt::format(
+          "{}: the service cannot read below {}; copy the map, with its picture, to /etc/bandwagon/maps",
+          path.string(), hidden));
   }
   return path;
 }
@@ -66,9 +73,12 @@ void write_robot(const fs::path& from, const fs::path& to) {
   }
   const std::string content = content_of(from);
   if (fs::exists(to) && content_of(to) != content)
-    throw std::runtime_error(fmt::format("{} exists already and differs from {}: change that one, or remove it first", to.string(), from.string()));
+    throw std::runtime_error(
+        fmt::format("{} exists already and differs from {}: change that one, or remove it first", to.string(),
+                    from.string()));
   write_file_atomically(to, content);
-  fs::permissions(to, fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read | fs::perms::others_read);
+  fs::permissions(
+      to, fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read | fs::perms::others_read);
   std::cout << "Robot file:  " << to.string() << "\n";
 }
 
@@ -76,34 +86,44 @@ int enable(const EnableOptions& options) {
   const fs::path program = fs::read_symlink("/proc/self/exe").parent_path();
   const fs::path unit = fs::weakly_canonical(program / "../lib/systemd/system" / kUnit);
   if (!fs::exists(unit))
-    throw std::runtime_error(fmt::format("{} is missing: a program that is installed has it (the Debian package, or cmake --install)", unit.string()));
+    throw std::runtime_error(fmt::format(
+        "{} is missing: a program that is installed has it (the Debian package, or cmake --install)",
+        unit.string()));
   const fs::path robot = config_file("robots", options.robot, {});
   const std::string name = name_of(robot);
   // Refused now and not at the next boot.
   std::vector<std::string> settings = {"robot=" + fs::absolute(robot).string()};
-  if (!options.map.empty()) settings.push_back("map_server.map=" + readable_map(options.map, options.root).string());
+  if (!options.map.empty())
+    settings.push_back("map_server.map=" + readable_map(options.map, options.root).string());
   const Host checked(load_graph("robot", settings), {});
 
   write_robot(robot, below(options.root, "/etc/bandwagon/robots/" + name + ".yaml"));
   const fs::path options_file = below(options.root, "/etc/bandwagon/" + name + ".options");
   if (!options.map.empty()) {
-    write_file_atomically(options_file, fmt::format("# Options of `bandwagon run` for this robot.\nBANDWAGON_OPTIONS=--set {}\n", settings.back()));
+    write_file_atomically(
+        options_file,
+        fmt::format("# Options of `bandwagon run` for this robot.\nBANDWAGON_OPTIONS=--set {}\n",
+                    settings.back()));
     std::cout << "Options:     " << options_file.string() << " (" << settings.back() << ")\n";
   } else if (!fs::exists(options_file)) {
-    std::cout << "Options:     none; BANDWAGON_OPTIONS=... of `bandwagon run` go to " << options_file.string() << "\n"
+    std::cout << "Options:     none; BANDWAGON_OPTIONS=... of `bandwagon run` go to " << options_file.string()
+              << "\n"
               << "             There is no map: drive by hand; goals need --map MAP.yaml and a first pose.\n";
   }
-  const fs::path link = below(options.root, "/etc/systemd/system/multi-user.target.wants/bandwagon@" + name + ".service");
+  const fs::path link =
+      below(options.root, "/etc/systemd/system/multi-user.target.wants/bandwagon@" + name + ".service");
   fs::create_directories(link.parent_path());
   fs::remove(link);
   fs::create_symlink(unit, link);
-  std::cout << "At boot:     " << link.string() << "\n\n"
-            << fmt::format("It starts with the machine from now on. By hand:\n"
-                           "  sudo systemctl daemon-reload && sudo systemctl start bandwagon@{0}   # now\n"
-                           "  systemctl status bandwagon@{0}                                       # its state in words\n"
-                           "  journalctl -u bandwagon@{0}                                          # its log, with the page's address\n"
-                           "  sudo systemctl disable --now bandwagon@{0}                           # brings it to rest, and no longer at boot\n",
-                           name);
+  std::cout
+      << "At boot:     " << link.string() << "\n\n"
+      << fmt::format(
+             "It starts with the machine from now on. By hand:\n"
+             "  sudo systemctl daemon-reload && sudo systemctl start bandwagon@{0}   # now\n"
+             "  systemctl status bandwagon@{0}                                       # its state in words\n"
+             "  journalctl -u bandwagon@{0}                                          # its log, with the page's address\n"
+             "  sudo systemctl disable --now bandwagon@{0}                           # brings it to rest, and no longer at boot\n",
+             name);
   return 0;
 }
 
@@ -111,7 +131,8 @@ void add_enable(cli::Verb verb) {
   auto options = std::make_shared<EnableOptions>();
   verb.option("ROBOT", options->robot, "Robot file, or the name of one (`bandwagon robots`)").required();
   verb.option("--map", options->map, "Map in map_server's form, for goals").existing_file();
-  verb.option("--root", options->root, "Writes below this folder, for an image of another machine").existing_folder();
+  verb.option("--root", options->root, "Writes below this folder, for an image of another machine")
+      .existing_folder();
   verb.run([options] { return enable(*options); });
 }
 

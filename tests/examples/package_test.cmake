@@ -114,6 +114,13 @@ if(NOT EXISTS ${STAGE}/root/etc/bandwagon/robots/kobuki.yaml OR
    NOT IS_SYMLINK ${STAGE}/root/etc/systemd/system/multi-user.target.wants/bandwagon@kobuki.service)
   message(FATAL_ERROR "enable has written no robot file, or no link")
 endif()
+file(MAKE_DIRECTORY "${STAGE}/my maps")
+file(COPY ${STAGE}/maps/ DESTINATION "${STAGE}/my maps")
+execute_process(COMMAND ${STAGE}/prefix/bin/bandwagon enable kobuki --map "${STAGE}/my maps/room.yaml" --root ${STAGE}/root
+  ERROR_VARIABLE refused OUTPUT_VARIABLE refused RESULT_VARIABLE status)
+if(status EQUAL 0 OR NOT refused MATCHES "blanks")
+  message(FATAL_ERROR "a map that systemd would take apart is not refused (${status}):\n${refused}")
+endif()
 run("enabling it again" ${STAGE}/prefix/bin/bandwagon enable kobuki --root ${STAGE}/root)
 file(APPEND ${STAGE}/root/etc/bandwagon/robots/kobuki.yaml "# mine\n")
 execute_process(COMMAND ${STAGE}/prefix/bin/bandwagon enable kobuki --root ${STAGE}/root ERROR_VARIABLE refused OUTPUT_VARIABLE refused RESULT_VARIABLE status)
