@@ -10,7 +10,7 @@ namespace bw::localization {
 
 Ekf::Ekf(const EkfOptions& options, int sources)
     : fusion_(options),
-      ring_(fusion_, Duration::seconds(options.window), options.capacity, sources),
+      ring_(fusion_, Duration::seconds(EkfOptions::kWindow), options.capacity, sources),
       initial_(options.initial, options.gate.probability),
       stamps_(Duration::seconds(options.kFutureTolerance)),
       kinds_(static_cast<std::size_t>(sources)) {}

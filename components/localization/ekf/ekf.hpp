@@ -2,7 +2,7 @@
 // own stamp. Late measurements are put where they belong and what followed is computed again.
 //
 //   Ekf ekf(options);
-//   const Outcome outcome = ekf.add(measurement, now);   // in any order within options.window
+//   const Outcome outcome = ekf.add(measurement, now);   // in any order within EkfOptions::kWindow
 //   const Estimate estimate = ekf.estimate_at(now);
 //
 // Not thread-safe. After construction and the first pose, add() takes no memory.

@@ -163,8 +163,8 @@ struct EkfOptions {
   SlipOptions slip;
   InitialOptions initial;
   HealthOptions health;
-  /// [s] late measurements are used if not older than this (set by code alone)
-  double window = 2.0;
+  /// [s] late measurements are used if not older than this
+  static constexpr double kWindow = 2.0;
   /// how many measurements are kept for late ones (set by code alone)
   int capacity = 2048;
   /// [m/s] below this speed the course over ground says nothing of the heading

@@ -20,7 +20,7 @@ ParticleFilter::ParticleFilter(const ParticleFilterOptions& options, std::uint64
     : options_(options),
       random_(seed),
       motion_(random_.bits()),
-      track_(options.motion, Duration::seconds(options.window)),
+      track_(options.motion, Duration::seconds(ParticleFilterOptions::kWindow)),
       initial_(options.initial, options.gate.probability),
       stamps_(Duration::seconds(options.kFutureTolerance)),
       sources_(static_cast<std::size_t>(sources)),

@@ -149,8 +149,8 @@ struct ParticleFilterOptions {
   InitialOptions initial;
   HealthOptions health;
   ParticleHealthOptions particle_health;
-  /// [s] late measurements are used if not older than this (set by code alone)
-  double window = 2.0;
+  /// [s] late measurements are used if not older than this
+  static constexpr double kWindow = 2.0;
   /// [m/s] below this speed the course over ground says nothing of the heading
   static constexpr double kCourseSpeed = 0.3;
   /// [s] how far ahead of now a stamp may be
