@@ -61,6 +61,7 @@ struct LocalPlannerParameters {
            "commands are TwistStamped, no Twist; auto: as Nav2 of the graph's ros_distro has it, true from Kilted on"});
     follow_path.fields(v);
     planners.fields(v);
+    v.retired({"pteb"}, "its one parameter is a constant of hrvo_preference.hpp");
   }
 
   std::optional<std::string> violated_rule() const { return follow_path.violated_rule(); }

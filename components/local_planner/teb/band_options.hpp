@@ -55,6 +55,7 @@ struct BandWeights {
        .max = 1e6,
        .doc = "the weight `inflation`, for movers; raise it to pass people with a wider berth, which "
               "takes longer"});
+    v.retired({"possible_inflation"}, "a constant of band_options.hpp");
   }
 };
 
