@@ -33,7 +33,8 @@ namespace bw {
 int run_program(const std::string& name, const std::string& help, int argc, char** argv) {
   cli::set_page_writer({.require = require_page, .write = write_drive_page});
   try {
-    return cli::run_verb(name, help, [&name] { return version(name); }, argc, argv);
+    return cli::run_verb(
+        name, help, [&name] { return version(name); }, argc, argv);
   } catch (const RunFailed& error) {
     std::cerr << error.what() << "\n";
     return 1;

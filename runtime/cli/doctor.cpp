@@ -26,9 +26,9 @@ std::string variable(const char* name) {
 }
 
 void check_environment(DoctorReport& report) {
-  for (const char* name : {"ROS_DOMAIN_ID", "ROS_LOCALHOST_ONLY", "ROS_AUTOMATIC_DISCOVERY_RANGE",
-                           "ROS_STATIC_PEERS", "FASTRTPS_DEFAULT_PROFILES_FILE",
-                           "FASTDDS_DEFAULT_PROFILES_FILE"}) {
+  for (const char* name :
+       {"ROS_DOMAIN_ID", "ROS_LOCALHOST_ONLY", "ROS_AUTOMATIC_DISCOVERY_RANGE", "ROS_STATIC_PEERS",
+        "FASTRTPS_DEFAULT_PROFILES_FILE", "FASTDDS_DEFAULT_PROFILES_FILE"}) {
     if (const std::string value = variable(name); !value.empty())
       report.ok(fmt::format("{} = {}", name, value));
   }
@@ -68,7 +68,9 @@ void check_library(DoctorReport& report) {
   const std::vector<std::string> faults = dds::known_faults(version);
   const std::string name = "Fast DDS " + dds::to_string(version);
   if (faults.empty()) return report.ok(name);
-  report.warn(name + " has published faults that strangers on the network can use; on loopback only programs of this machine can:");
+  report.warn(
+      name +
+      " has published faults that strangers on the network can use; on loopback only programs of this machine can:");
   for (const std::string& fault : faults) report.warn("  " + fault);
 }
 

@@ -133,7 +133,8 @@ struct Awaited {
 };
 
 const CLI::App* verb_of(const CLI::App& app, const std::string& name) {
-  const std::vector<const CLI::App*> found = app.get_subcommands([&name](const CLI::App* verb) { return verb->check_name(name); });
+  const std::vector<const CLI::App*> found =
+      app.get_subcommands([&name](const CLI::App* verb) { return verb->check_name(name); });
   return found.empty() ? nullptr : found.front();
 }
 
@@ -179,13 +180,14 @@ std::vector<std::string> candidates(const CLI::App& program, std::vector<std::st
     if (next.positionals == 0) all.push_back(verb->get_name());
   }
   if (next.positionals < positionals.size()) {
-    for (std::string& value : values_for(*positionals[next.positionals], words, begun)) all.push_back(std::move(value));
+    for (std::string& value : values_for(*positionals[next.positionals], words, begun))
+      all.push_back(std::move(value));
   }
   return all;
 }
 
-/// `complete WORDS...`, as completion of the shells calls it: a line for each candidate. Whatever is wrong with the words, a shell wants to
-/// hear nothing of it.
+/// `complete WORDS...`, as completion of the shells calls it: a line for each candidate. Whatever is wrong with
+/// the words, a shell wants to hear nothing of it.
 int print_candidates(const CLI::App& program, const std::vector<std::string>& words) {
   try {
     const std::string begun = words.empty() ? "" : words.back();

@@ -19,8 +19,8 @@ inline Endpoint to_endpoint(const fast_dds::DiscoveredEndpoint& data) {
   e.is_writer = data.is_writer;
   e.topic = data.topic;
   e.type = data.type;
-  e.qos.reliability = data.reliability == efd::RELIABLE_RELIABILITY_QOS ? Reliability::reliable
-                                                                        : Reliability::best_effort;
+  e.qos.reliability =
+      data.reliability == efd::RELIABLE_RELIABILITY_QOS ? Reliability::reliable : Reliability::best_effort;
   e.qos.durability = data.durability >= efd::TRANSIENT_LOCAL_DURABILITY_QOS ? Durability::transient_local
                                                                             : Durability::volatile_;
   if (!fast_dds::is_infinite(data.lifespan)) e.qos.lifespan = Duration{data.lifespan.to_ns()};

@@ -1,7 +1,9 @@
-// Fast DDS 2.9 (Debian 12) and 3.1 (Debian 13) under one spelling: the headers, and names for what the two call differently. The only file
-// with an #if on the version. Only sources of this folder include it, and test clients on plain Fast DDS.
+// Fast DDS 2.9 (Debian 12) and 3.1 (Debian 13) under one spelling: the headers, and names for what the two
+// call differently. The only file with an #if on the version. Only sources of this folder include it, and test
+// clients on plain Fast DDS.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -46,7 +48,8 @@
 #include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
 #else
-#error "This Fast DDS is not known here: runtime/dds/fast_dds.hpp has the spellings of 2.9 to 2.14 and of 3.1."
+#error \
+    "This Fast DDS is not known here: runtime/dds/fast_dds.hpp has the spellings of 2.9 to 2.14 and of 3.1."
 #endif
 
 namespace bw::fast_dds {

@@ -22,15 +22,20 @@ constexpr Fault kFaults[] = {
     {"CVE-2025-62799, 64438: DATA_FRAG, endless GAP (November 2025)", {2, 14, 6}, {3, 2, 4}},
     {"CVE-2025-65016, CVE-2026-22590", {2, 14, 6}, {3, 2, 4}},
     {"CVE-2026-22591 (March 2026)", kNever, {3, 2, 5}},
-    {"parsers of access control and several of deserialisation, CVE-2025-67108 (May to July 2026)", kNever, {3, 2, 5}},
+    {"parsers of access control and several of deserialisation, CVE-2025-67108 (May to July 2026)",
+     kNever,
+     {3, 2, 5}},
 };
 
 }  // namespace
 
-LibraryVersion library_version() { return {fast_dds::kVersion[0], fast_dds::kVersion[1], fast_dds::kVersion[2]}; }
+LibraryVersion library_version() {
+  return {fast_dds::kVersion[0], fast_dds::kVersion[1], fast_dds::kVersion[2]};
+}
 
 std::string to_string(const LibraryVersion& version) {
-  return std::to_string(version.major) + "." + std::to_string(version.minor) + "." + std::to_string(version.micro);
+  return std::to_string(version.major) + "." + std::to_string(version.minor) + "." +
+         std::to_string(version.micro);
 }
 
 std::vector<std::string> known_faults(const LibraryVersion& version) {

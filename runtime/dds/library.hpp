@@ -17,8 +17,8 @@ struct LibraryVersion {
 LibraryVersion library_version();
 std::string to_string(const LibraryVersion& version);  ///< 3.1.2
 
-/// Published vulnerabilities that the sources of this version have, a line each. By the history of Fast DDS' releases up to July 2026; what a
-/// distribution has patched besides is not known here.
+/// Published vulnerabilities that the sources of this version have, a line each. By the history of Fast DDS'
+/// releases up to July 2026; what a distribution has patched besides is not known here.
 std::vector<std::string> known_faults(const LibraryVersion& version);
 
 }  // namespace bw::dds

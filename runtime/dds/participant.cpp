@@ -72,8 +72,8 @@ efd::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   if (options.alone) {
     // With both filters Fast DDS opens no unicast locator. One has to be named all the same: without any it
     // takes the default multicast group, and announces there. Without a peer nothing is announced.
-    wire.builtin.discovery_config.ignoreParticipantFlags = static_cast<fast_dds::FilteringFlags>(
-        rtps::FILTER_DIFFERENT_HOST | rtps::FILTER_DIFFERENT_PROCESS);
+    wire.builtin.discovery_config.ignoreParticipantFlags =
+        static_cast<fast_dds::FilteringFlags>(rtps::FILTER_DIFFERENT_HOST | rtps::FILTER_DIFFERENT_PROCESS);
     wire.builtin.metatrafficUnicastLocatorList.push_back(loopback);
   } else if (options.network.transport == Transport::localhost) {
     wire.builtin.metatrafficUnicastLocatorList.push_back(loopback);

@@ -33,7 +33,8 @@ void ServiceManager::send(std::string_view state, std::string_view status) const
   text += "STATUS=";
   text += status.substr(0, status.find('\n'));
   const auto length = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + address_.size());
-  static_cast<void>(sendto(socket_, text.data(), text.size(), MSG_NOSIGNAL, reinterpret_cast<const sockaddr*>(&to), length));
+  static_cast<void>(sendto(socket_, text.data(), text.size(), MSG_NOSIGNAL,
+                           reinterpret_cast<const sockaddr*>(&to), length));
 }
 
 }  // namespace bw

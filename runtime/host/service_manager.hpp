@@ -1,5 +1,5 @@
-// What a process tells the service manager that started it (systemd, or whoever else gives NOTIFY_SOCKET): sd_notify's
-// protocol, a datagram of lines NAME=VALUE on a Unix socket.
+// What a process tells the service manager that started it (systemd, or whoever else gives NOTIFY_SOCKET):
+// sd_notify's protocol, a datagram of lines NAME=VALUE on a Unix socket.
 #pragma once
 
 #include <string>
@@ -9,7 +9,8 @@ namespace bw {
 
 class ServiceManager {
  public:
-  /// Who NOTIFY_SOCKET names: a path, or an abstract socket that begins with @. Nobody is told where it is empty or unset.
+  /// Who NOTIFY_SOCKET names: a path, or an abstract socket that begins with @. Nobody is told where it is
+  /// empty or unset.
   ServiceManager();
   ~ServiceManager();
   ServiceManager(const ServiceManager&) = delete;
@@ -22,7 +23,8 @@ class ServiceManager {
   void status(std::string_view status) const { send({}, status); }
 
  private:
-  /// Without waiting: a manager that does not read loses it. A status that has several lines is told up to the first end of line.
+  /// Without waiting: a manager that does not read loses it. A status that has several lines is told up to the
+  /// first end of line.
   void send(std::string_view state, std::string_view status) const;
 
   std::string address_;

@@ -19,8 +19,9 @@ TEST(Library, IsOneOfThoseThatDebianHas) {
 
 TEST(Library, NeitherOfDebiansHasTheMendsSinceOctober2025) {
   for (const LibraryVersion version : {LibraryVersion{2, 9, 1}, LibraryVersion{3, 1, 2}}) {
-    EXPECT_THAT(known_faults(version), AllOf(Contains(HasSubstr("CVE-2025-62599")), Contains(HasSubstr("CVE-2025-62799")),
-                                             Contains(HasSubstr("CVE-2026-22591"))));
+    EXPECT_THAT(known_faults(version),
+                AllOf(Contains(HasSubstr("CVE-2025-62599")), Contains(HasSubstr("CVE-2025-62799")),
+                      Contains(HasSubstr("CVE-2026-22591"))));
   }
 }
 

@@ -1,5 +1,5 @@
-// What a run tells the service manager that started it, on a socket of the test's own. The expected lines are sd_notify's
-// protocol (systemd, man sd_notify(3)).
+// What a run tells the service manager that started it, on a socket of the test's own. The expected lines are
+// sd_notify's protocol (systemd, man sd_notify(3)).
 #include "runtime/host/service_manager.hpp"
 
 #include <array>
@@ -74,8 +74,8 @@ TEST(ServiceManager, HearsThatAllIsUpWhatGoesWrongAndThatItEnds) {
   });
   graph.run(1.0);
   EXPECT_THAT(manager.heard(),
-              ElementsAre(MatchesRegex("READY=1\nSTATUS=[0-9]+ nodes are up"), "STATUS=worried: the battery is low",
-                          "STOPPING=1\nSTATUS=" + graph.end().reason));
+              ElementsAre(MatchesRegex("READY=1\nSTATUS=[0-9]+ nodes are up"),
+                          "STATUS=worried: the battery is low", "STOPPING=1\nSTATUS=" + graph.end().reason));
 }
 
 TEST(ServiceManager, HearsNoReadinessOfWhatCannotComeUp) {

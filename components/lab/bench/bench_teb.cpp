@@ -153,10 +153,11 @@ SceneRun run(const Scene& scene, const SceneFile& file, int repetitions, const P
         throw std::runtime_error(scene.name + ": no trajectory: " + result.reason);
       const std::vector<EvaluatedPose> band = to_band(result.trajectory);
       if (cycle == 0 || cycle == file.warm_cycles) {
-        (cycle == 0 ? run.cold : run.warm) = Plan{.band = band,
-                                                  .quality = evaluate_band(band, problem.twist, file, obstacles),
-                                                  .iterations = result.iterations,
-                                                  .candidates = result.candidates.size()};
+        (cycle == 0 ? run.cold : run.warm) =
+            Plan{.band = band,
+                 .quality = evaluate_band(band, problem.twist, file, obstacles),
+                 .iterations = result.iterations,
+                 .candidates = result.candidates.size()};
       }
       if (repetition == 0)
         run.samples.push_back({cycle * file.replan_period, problem.pose, problem.twist, result.trajectory});
