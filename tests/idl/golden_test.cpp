@@ -3,12 +3,14 @@
 
 #include "geometry_msgs/msg/pose_stamped.hpp"
 #include "geometry_msgs/msg/twist.hpp"
+#include "map_msgs/msg/occupancy_grid_update.hpp"
 #include "nav_msgs/msg/occupancy_grid.hpp"
 #include "nav_msgs/msg/odometry.hpp"
 #include "nav_msgs/msg/path.hpp"
 #include "rosgraph_msgs/msg/clock.hpp"
 #include "sensor_msgs/msg/joint_state.hpp"
 #include "sensor_msgs/msg/laser_scan.hpp"
+#include "slam_toolbox/srv/deserialize_pose_graph.hpp"
 #include "std_msgs/msg/empty.hpp"
 #include "std_msgs/msg/string.hpp"
 #include "tests/idl/cdr_writer.hpp"
@@ -105,6 +107,32 @@ TEST(Golden, TFMessageInHex) {
   expect_wire(message, hex("00010000 01000000 03000000 00000000 04000000 6d617000 05000000 6f646f6d00 000000"
                            "000000000000f03f 0000000000000000 0000000000000000"
                            "0000000000000000 0000000000000000 0000000000000000 000000000000f03f"));
+}
+
+TEST(Golden, OccupancyGridUpdateInHex) {
+  map_msgs::msg::OccupancyGridUpdate message;
+  message.header(header(1, 2, "map"));
+  message.x(-1);
+  message.y(7);
+  message.width(2);
+  message.height(1);
+  message.data({100, -1});
+  expect_wire(message, hex("00010000 01000000 02000000 04000000 6d617000"
+                           "ffffffff 07000000 02000000 01000000 02000000 64ff"));
+}
+
+TEST(Golden, DeserializePoseGraphInHex) {
+  using slam_toolbox::srv::DeserializePoseGraph;
+  DeserializePoseGraph::Request request;
+  request.filename("m");
+  request.match_type(slam_toolbox::srv::DeserializePoseGraph_Request_Constants::LOCALIZE_AT_POSE);
+  request.initial_pose().x(1.0);
+  request.initial_pose().y(-2.0);
+  request.initial_pose().theta(0.5);
+  // 4 + 2 + 1 bytes, then 1 of padding before the first double.
+  expect_wire(request, hex("00010000 02000000 6d00 03 00"
+                           "000000000000f03f 00000000000000c0 000000000000e03f"));
+  expect_wire(DeserializePoseGraph::Response(), hex("00010000 00"));
 }
 
 TEST(Golden, TFMessage) {

@@ -8,6 +8,8 @@
 #include "nav2_msgs/action/navigate_to_pose.hpp"
 #include "nav2_msgs/srv/manage_lifecycle_nodes.hpp"
 #include "nav_msgs/srv/load_map.hpp"
+#include "slam_toolbox/srv/save_map.hpp"
+#include "slam_toolbox/srv/serialize_pose_graph.hpp"
 #include "std_srvs/srv/trigger.hpp"
 
 namespace bw::test {
@@ -44,6 +46,8 @@ TEST(Interface, ConstantsAreThoseOfTheirPart) {
   EXPECT_EQ(nav2_msgs::srv::ManageLifecycleNodes_Request_Constants::CLEANUP, 6);
   EXPECT_EQ(nav_msgs::srv::LoadMap_Response_Constants::RESULT_UNDEFINED_FAILURE, 255);
   EXPECT_EQ(nav2_msgs::action::NavigateToPose_Result_Constants::NONE, 0);
+  EXPECT_EQ(slam_toolbox::srv::SaveMap_Response_Constants::RESULT_NO_MAP_RECEIEVD, 1);  // spelled so there
+  EXPECT_EQ(slam_toolbox::srv::SerializePoseGraph_Response_Constants::RESULT_FAILED_TO_WRITE_FILE, 255);
 }
 
 TEST(Interface, AnEmptyRequestIsOneZeroByte) {
