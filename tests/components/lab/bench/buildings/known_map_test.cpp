@@ -10,8 +10,9 @@
 namespace bw::buildings {
 namespace {
 
-// A room of 80 x 60 cells whose walls lie in the middle of cells: 79 x 59 cells are inside, and the ring around
-// them has 81 x 61 less those. In it a cupboard of 20 x 20 likewise: a ring of 80 cells around 19 x 19.
+// A room of 80 x 60 cells whose walls lie in the middle of cells: 79 x 59 cells are inside, and the ring
+// around them has 81 x 61 less those. In it a cupboard of 20 x 20 likewise: a ring of 80 cells around 19 x
+// 19 that nobody sees.
 TEST(KnownMap, CountsOfARoomWithACupboard) {
   Building building = rectangular_room(4.0, 3.0);
   for (const Vector2& shift : {Vector2(1.0, 0.0), Vector2(1.0, 1.0), Vector2(0.0, 1.0), Vector2(0.0, 0.0)}) {
