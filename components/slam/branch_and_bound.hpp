@@ -1,0 +1,19 @@
+// The best pose of a window by branch and bound on max-grids (Hess et al. 2016): as correlate() would find it, at a
+// fraction of the poses.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "components/slam/correlative_search.hpp"
+#include "components/slam/max_grids.hpp"
+
+namespace bw::slam {
+
+/// Nothing scores `least` or more: nothing. `visited`: how many squares and poses were looked at, added to it.
+std::optional<Correlation> branch_and_bound(const MaxGrids& grids, std::span<const Vector2> points,
+                                            const Pose2& start, const SearchWindow& window, double least,
+                                            std::int64_t& visited);
+
+}  // namespace bw::slam

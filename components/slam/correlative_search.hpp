@@ -1,0 +1,27 @@
+// A pose found by trying all of a window: correlative matching (Olson 2009) against a submap's likelihood.
+#pragma once
+
+#include <span>
+
+#include "components/slam/surface_map.hpp"
+
+namespace bw::slam {
+
+/// Half sizes of a box of poses about a start.
+struct SearchWindow {
+  double x = 0.1;      ///< [m], in the submap's axes
+  double y = 0.1;      ///< [m]
+  double theta = 0.1;  ///< [rad]
+};
+
+struct Correlation {
+  Pose2 X;             ///< the best
+  double score = 0.0;  ///< mean likelihood of the points, 0 to 1
+};
+
+/// In steps of a cell, and of the angle that moves the farther points by one. Every pose of the window: the best, those
+/// nearer to the start before others that fit as well.
+Correlation correlate(const SurfaceMap& map, std::span<const SurfacePoint> points, const Pose2& start,
+                      const SearchWindow& window);
+
+}  // namespace bw::slam

@@ -1,0 +1,146 @@
+#include "components/slam/loop_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_set>
+
+#include "components/slam/branch_and_bound.hpp"
+#include "components/slam/refinement.hpp"
+
+namespace bw::slam {
+namespace {
+
+constexpr double kLeastScore = 0.4;
+constexpr double kLeastInliers = 0.5;
+constexpr double kMostThrough = 0.25;
+constexpr double kApart = 0.2;  // [m] of the points that are searched with
+constexpr double kSigmas = 3.0;
+constexpr double kLeastWindow = 0.3;  // [m]
+constexpr double kOverlap = 6.0;      // [m] between the frames of submaps that share walls
+constexpr double kLeastTurn = 0.05;   // [rad]
+constexpr double kMostTurn = 0.7;     // [rad]
+constexpr double kLoopNoise = 0.03;
+constexpr double kLoopTurnNoise = 0.008;
+constexpr double kFree = 3.0;  // [m] along a direction that nothing shows
+
+std::vector<Vector2> thinned(std::span<const Surface> surfaces) {
+  std::unordered_set<std::int64_t> taken;
+  std::vector<Vector2> points;
+  for (const Surface& s : surfaces) {
+    const auto i = static_cast<std::int64_t>(std::floor(static_cast<double>(s.x) / kApart));
+    const auto j = static_cast<std::int64_t>(std::floor(static_cast<double>(s.y) / kApart));
+    if (taken.insert(i * 1000003 + j).second) points.emplace_back(s.x, s.y);
+  }
+  return points;
+}
+
+std::vector<SurfacePoint> points_of(std::span<const Surface> surfaces) {
+  std::vector<SurfacePoint> points;
+  points.reserve(surfaces.size());
+  for (const Surface& s : surfaces) points.push_back(s.point());
+  return points;
+}
+
+}  // namespace
+
+double all_round(std::span<const Surface> surfaces) {
+  // Sum of n n^T by doubled angles: trace N, the difference of its eigenvalues the length of the summed vectors.
+  double c = 0.0;
+  double s = 0.0;
+  double n = 0.0;
+  for (const Surface& surface : surfaces) {
+    c += static_cast<double>(surface.normal_cos2);
+    s += static_cast<double>(surface.normal_sin2);
+    n += std::hypot(static_cast<double>(surface.normal_cos2), static_cast<double>(surface.normal_sin2));
+  }
+  const double length = std::hypot(c, s);
+  return n > 0.0 ? (n - length) / (n + length) : 0.0;
+}
+
+Vector2 centre(std::span<const Surface> surfaces) {
+  Vector2 sum{0.0, 0.0};
+  for (const Surface& surface : surfaces) sum += Vector2{surface.x, surface.y};
+  return surfaces.empty() ? sum : Vector2(sum / static_cast<double>(surfaces.size()));
+}
+
+double seen_through(std::span<const Surface> surfaces, std::span<const RangeImage* const> images,
+                    std::span<const Pose2> X_SB) {
+  constexpr double kMargin = 0.3;  // [m] a beam that ends so far behind a surface went through it
+  int in_view = 0;
+  int through = 0;
+  for (std::size_t k = 0; k < images.size(); ++k) {
+    const RangeImage& image = *images[k];
+    const Pose2 X_LS = inverse(X_SB[k] * image.X_BL);
+    const auto beams = static_cast<int>(image.millimetres.size());
+    for (std::size_t n = 0; n < surfaces.size(); n += 3) {
+      const Vector2 p = X_LS * Vector2{surfaces[n].x, surfaces[n].y};
+      const double range = p.norm();
+      if (range < 0.3 || range > 12.0) continue;
+      const double beam = wrap_angle(std::atan2(p.y(), p.x()) - image.angle_min) / image.angle_increment;
+      const int i = static_cast<int>(std::lround(beam));
+      if (i < 1 || i + 1 >= beams) continue;
+      // All three neighbouring beams must agree: at the edge of an obstacle the next one goes past.
+      int beyond = 0;
+      int before = 0;
+      for (int b = i - 1; b <= i + 1; ++b) {
+        const std::uint16_t mm = image.millimetres[static_cast<std::size_t>(b)];
+        if (mm == RangeImage::kUnknown || mm == RangeImage::kNoReturn) continue;
+        const double measured = 0.001 * mm;
+        if (measured > range + kMargin + 0.02 * range) ++beyond;
+        if (measured < range - kMargin) ++before;
+      }
+      if (before > 0) continue;
+      ++in_view;
+      if (beyond == 3) ++through;
+    }
+  }
+  return in_view < 30 ? 0.0 : static_cast<double>(through) / in_view;
+}
+
+LoopSearch::LoopSearch(const Submap& later, std::span<const RangeImage* const> images,
+                       std::span<const Pose2> X_SB, const SlamOptions& options)
+    : later_(later), images_(images), X_SB_(X_SB), options_(options), grids_(later.surfaces) {}
+
+std::optional<Loop> LoopSearch::find(const Submap& earlier, const UncertainPose& expected) {
+  const auto sigmas = [&](int axis) { return kSigmas * std::sqrt(expected.covariance(axis, axis)); };
+  SearchWindow window{std::max(kLeastWindow, sigmas(0)), std::max(kLeastWindow, sigmas(1)),
+                      std::clamp(sigmas(2), kLeastTurn, kMostTurn)};
+  Pose2 start = expected.X;
+  if (std::max(window.x, window.y) > kOverlap) {
+    // Where they overlap at all.
+    const auto within = [](double middle, double reach, double overlap, double& start_at, double& half) {
+      const double low = std::max(middle - reach, overlap - kOverlap);
+      const double high = std::min(middle + reach, overlap + kOverlap);
+      start_at = 0.5 * (low + high);
+      half = std::max(kLeastWindow, 0.5 * (high - low));
+    };
+    const Vector2 offset = later_.centre - rotate(expected.X, earlier.centre);
+    within(expected.X.x, window.x, offset.x(), start.x, window.x);
+    within(expected.X.y, window.y, offset.y(), start.y, window.y);
+  }
+  const auto found =
+      branch_and_bound(grids_, thinned(earlier.surfaces), start, window, kLeastScore, visited_);
+  if (!found) return std::nullopt;
+  if (!map_) map_.emplace(options_.resolution, later_.surfaces);
+  const Refined refined = refine(*map_, points_of(earlier.surfaces), found->X, nullptr, 15);
+  if (refined.inliers < kLeastInliers) return std::nullopt;
+  Loop loop;
+  loop.score = found->score;
+  loop.inliers = refined.inliers;
+  loop.window = std::max(window.x, window.y);
+  std::vector<Pose2> poses;
+  const Pose2 X_earlier_later = inverse(refined.X);
+  for (const Pose2& X : X_SB_) poses.push_back(X_earlier_later * X);
+  loop.through = seen_through(earlier.surfaces, images_, poses);
+  if (loop.through > kMostThrough) return std::nullopt;
+  const Eigen::Matrix3d weak =
+      Eigen::Vector3d{1.0 / (kFree * kFree), 1.0 / (kFree * kFree), 1.0}.asDiagonal();
+  UncertainPose X{refined.X, (refined.information + weak).inverse()};
+  X.covariance.diagonal() +=
+      Eigen::Vector3d{kLoopNoise * kLoopNoise, kLoopNoise * kLoopNoise, kLoopTurnNoise * kLoopTurnNoise};
+  loop.edge.loop = true;
+  loop.edge.X = inverse(X);
+  return loop;
+}
+
+}  // namespace bw::slam

@@ -1,0 +1,58 @@
+// Is a submap another one seen again? The relative pose, and what speaks for it and against it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "components/slam/max_grids.hpp"
+#include "components/slam/pose_graph.hpp"
+#include "components/slam/submap.hpp"
+
+namespace bw::slam {
+
+/// A loop that was found: `edge.from` is the earlier submap.
+struct Loop {
+  Edge edge;
+  double score = 0.0;    ///< of branch and bound, 0 to 1
+  double inliers = 0.0;  ///< share of the earlier submap's surfaces that lie on the later one's
+  /// Share of the earlier submap's surfaces in view that beams of the later one went through, 0 to 1.
+  double through = 0.0;
+  double window = 0.0;  ///< how far it was searched [m]
+};
+
+/// Submap::all_round of these.
+double all_round(std::span<const Surface> surfaces);
+
+/// Submap::centre of these.
+Vector2 centre(std::span<const Surface> surfaces);
+
+/// Share of `surfaces` (in S) that beams of the nodes went through, of those in their view; X_SN: where each node's
+/// submap-independent pose lies in S.
+double seen_through(std::span<const Surface> surfaces, std::span<const RangeImage* const> images,
+                    std::span<const Pose2> X_SB);
+
+/// Looks for the newest submap among earlier ones: what it needs of the newest is made once.
+class LoopSearch {
+ public:
+  /// `images`: of some of the later submap's nodes; X_SB: their poses in it. All must outlive this.
+  LoopSearch(const Submap& later, std::span<const RangeImage* const> images, std::span<const Pose2> X_SB,
+             const SlamOptions& options);
+
+  /// `expected`: pose of `earlier` in the later submap. Nothing where nothing fits.
+  std::optional<Loop> find(const Submap& earlier, const UncertainPose& expected);
+
+  std::int64_t visited() const { return visited_; }  ///< squares and poses of branch and bound
+
+ private:
+  const Submap& later_;
+  std::span<const RangeImage* const> images_;
+  std::span<const Pose2> X_SB_;
+  SlamOptions options_;
+  MaxGrids grids_;
+  std::optional<SurfaceMap> map_;  ///< made when something is found
+  std::int64_t visited_ = 0;
+};
+
+}  // namespace bw::slam

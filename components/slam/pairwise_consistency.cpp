@@ -1,0 +1,63 @@
+#include "components/slam/pairwise_consistency.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+
+#include <Eigen/LU>
+
+namespace bw::slam {
+namespace {
+
+constexpr double kConsistent = 11.3;   // chi^2 of three degrees of freedom, 99 %
+constexpr std::size_t kFarApart = 10;  // [submaps] the way between them says nothing any more
+
+// Pose of submap b in submap a along the drive.
+UncertainPose along_drive(std::size_t a, std::size_t b, std::span<const Submap> submaps) {
+  if (a > b) return inverse(along_drive(b, a, submaps));
+  UncertainPose X;
+  for (std::size_t k = a + 1; k <= b; ++k) X = X * submaps[k].X_PS;
+  return X;
+}
+
+std::size_t apart(std::size_t a, std::size_t b) { return a > b ? a - b : b - a; }
+
+}  // namespace
+
+double inconsistency(const Loop& a, const Loop& b, std::span<const Submap> submaps) {
+  if (apart(a.edge.from, b.edge.from) > kFarApart || apart(a.edge.to, b.edge.to) > kFarApart)
+    return std::numeric_limits<double>::infinity();
+  const UncertainPose by_a = a.edge.X * along_drive(a.edge.to, b.edge.to, submaps);
+  const UncertainPose by_b = along_drive(a.edge.from, b.edge.from, submaps) * b.edge.X;
+  const Eigen::Vector3d e = difference(by_a.X, by_b.X);
+  const Eigen::Matrix3d C = by_a.covariance + by_b.covariance;
+  return e.dot(C.inverse() * e);
+}
+
+std::vector<std::size_t> supporters(std::size_t with, std::span<const Loop> loops,
+                                    std::span<const Submap> submaps) {
+  struct Rival {
+    std::size_t loop = 0;
+    double distance = 0.0;
+  };
+  std::vector<Rival> rivals;
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    if (i == with || (loops[i].edge.from == loops[with].edge.from && loops[i].edge.to == loops[with].edge.to))
+      continue;
+    const double distance = inconsistency(loops[with], loops[i], submaps);
+    if (distance <= kConsistent) rivals.push_back({i, distance});
+  }
+  std::sort(rivals.begin(), rivals.end(), [](const Rival& a, const Rival& b) {
+    return a.distance != b.distance ? a.distance < b.distance : a.loop < b.loop;
+  });
+  std::vector<std::size_t> clique{with};
+  for (const Rival& rival : rivals) {
+    const bool agrees = std::all_of(clique.begin() + 1, clique.end(), [&](std::size_t other) {
+      return inconsistency(loops[other], loops[rival.loop], submaps) <= kConsistent;
+    });
+    if (agrees) clique.push_back(rival.loop);
+  }
+  return clique;
+}
+
+}  // namespace bw::slam

@@ -1,0 +1,47 @@
+// A sweep as SLAM uses it: surface points with normals to match by, and ranges to draw the map of.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "components/model/laser_sweep.hpp"
+#include "components/slam/slam_options.hpp"
+#include "runtime/base/pose2.hpp"
+#include "runtime/base/time.hpp"
+
+namespace bw::slam {
+
+/// A place where beams ended, in base_link or in a submap.
+struct SurfacePoint {
+  float x = 0.0F;  ///< [m]
+  float y = 0.0F;
+  /// Direction of the wall's normal by its doubled angle, (cos 2a, sin 2a), times how straight the wall is
+  /// there, 0 to 1: the sides of a wall are one, and normals can be averaged.
+  float normal_cos2 = 0.0F;
+  float normal_sin2 = 0.0F;
+
+  Vector2 position() const { return {x, y}; }
+};
+
+/// Ranges of one sweep in two bytes each.
+struct RangeImage {
+  Pose2 X_BL;
+  double angle_min = 0.0;        ///< [rad]
+  double angle_increment = 0.0;  ///< [rad]
+  std::vector<std::uint16_t> millimetres;
+
+  static constexpr std::uint16_t kUnknown = 0;
+  static constexpr std::uint16_t kNoReturn = 0xffff;
+};
+
+struct Scan {
+  Time time;
+  std::vector<SurfacePoint> points;  ///< in base_link at `time`
+  RangeImage ranges;
+};
+
+/// `sweep` without fault, X_FL and beam_poses in base_link at sweep.time. Points closer to their neighbour than
+/// half a cell are one. Hits beyond max_laser_range give no point, and are drawn as free up to there.
+Scan scan_of(const LaserSweep& sweep, const SlamOptions& options);
+
+}  // namespace bw::slam

@@ -1,0 +1,38 @@
+// A stretch of the drive whose scans were matched among themselves: one rigid piece of the map.
+#pragma once
+
+#include <vector>
+
+#include "components/slam/scan.hpp"
+#include "components/slam/surface_map.hpp"
+#include "components/slam/uncertain_pose.hpp"
+
+namespace bw::slam {
+
+/// Submaps overlap by half: while one is matched against, the next is begun. S: a submap's frame, the pose at
+/// which it was begun.
+struct Submap {
+  UncertainPose X_PS;  ///< in the one before
+  std::vector<Surface> surfaces;
+  std::size_t first_node = 0;  ///< of Slam::nodes(): those that went into it
+  std::size_t last_node = 0;
+  /// How much less its walls say along one direction than across it, 0 (a corridor) to 1.
+  double all_round = 0.0;
+  Vector2 centre{0.0, 0.0};  ///< of its walls [m]: a scanner that looks ahead maps what lies before the robot
+};
+
+/// Where the robot was: in the submap that was matched against, and how far on the way to the next.
+struct Placement {
+  std::size_t submap = 0;
+  Pose2 X_SB;
+  double share = 0.0;  ///< 0 where the next submap was begun, 1 where this one ended
+};
+
+/// A scan of the map.
+struct Node {
+  Time time;
+  Placement placement;
+  RangeImage ranges;
+};
+
+}  // namespace bw::slam

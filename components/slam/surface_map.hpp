@@ -1,0 +1,68 @@
+// Where walls are, from the scans of one submap: a point with a normal for each cell that was hit, and for the
+// cells around the nearest of them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "components/slam/scan.hpp"
+#include "components/slam/tiled_grid.hpp"
+#include "runtime/base/pose2.hpp"
+
+namespace bw::slam {
+
+/// Mean of the hits in one cell, in the submap's frame.
+struct Surface {
+  float x = 0.0F;  ///< [m]
+  float y = 0.0F;
+  float normal_cos2 = 0.0F;  ///< SurfacePoint's, averaged
+  float normal_sin2 = 0.0F;
+  std::int32_t hits = 0;
+
+  SurfacePoint point() const { return {x, y, normal_cos2, normal_sin2}; }
+};
+
+class SurfaceMap {
+ public:
+  /// [m] from a wall up to which its cells know of it
+  static constexpr double kReach = 0.3;
+  /// [m] spread of the likelihood about a wall, for search
+  static constexpr double kSpread = 0.08;
+
+  explicit SurfaceMap(double resolution);
+  SurfaceMap(double resolution, std::span<const Surface> surfaces);
+
+  void insert(std::span<const SurfacePoint> points, const Pose2& X_SB);
+
+  /// The surface nearest to the centre of the cell that holds (x, y), at most kReach away; null: none.
+  const Surface* nearest(double x, double y) const {
+    const Near& near = near_.at(cell(x), cell(y));
+    return near.surface < 0 ? nullptr : &surfaces_[static_cast<std::size_t>(near.surface)];
+  }
+  /// exp(-d^2 / (2 kSpread^2)) in 255ths, d from the cell's centre to the nearest surface.
+  int likelihood(double x, double y) const { return near_.at(cell(x), cell(y)).likelihood; }
+  int likelihood_of_cell(int i, int j) const { return near_.at(i, j).likelihood; }
+
+  const std::vector<Surface>& surfaces() const { return surfaces_; }
+  double resolution() const { return resolution_; }
+  std::size_t bytes() const { return near_.bytes() + surfaces_.capacity() * sizeof(Surface); }
+
+ private:
+  struct Near {
+    std::int32_t own = -1;      ///< surface in this very cell
+    std::int32_t surface = -1;  ///< nearest
+    float squared = 1e9F;       ///< its distance [m^2]
+    std::int32_t likelihood = 0;
+  };
+  int cell(double v) const { return static_cast<int>(std::floor(v * cells_per_metre_)); }
+  void stamp(std::int32_t surface);
+
+  double resolution_;
+  double cells_per_metre_;
+  int reach_;  ///< [cells]
+  TiledGrid<Near> near_;
+  std::vector<Surface> surfaces_;
+};
+
+}  // namespace bw::slam

@@ -1,0 +1,102 @@
+// A grid over the plane whose memory follows what was written: tiles of cells, made where something is.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace bw::slam {
+
+/// Cell (i, j) spans [i, i + 1) x [j, j + 1) times the resolution; both may be negative.
+template <class Cell>
+class TiledGrid {
+ public:
+  static constexpr int kEdgeBits = 5;
+  static constexpr int kEdge = 1 << kEdgeBits;  ///< cells along a tile
+
+  /// What was written at (i, j), else a cell as made.
+  const Cell& at(int i, int j) const {
+    const int column = (i >> kEdgeBits) - first_column_;
+    const int row = (j >> kEdgeBits) - first_row_;
+    if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return empty_;
+    const std::int32_t tile = tiles_[index(column, row)];
+    return tile < 0 ? empty_ : cells_[cell(tile, i, j)];
+  }
+  /// To write to; cells made before move.
+  Cell& ref(int i, int j) {
+    const int tile_column = i >> kEdgeBits;
+    const int tile_row = j >> kEdgeBits;
+    if (tile_column < first_column_ || tile_row < first_row_ || tile_column >= first_column_ + columns_ ||
+        tile_row >= first_row_ + rows_)
+      grow(tile_column, tile_row);
+    std::int32_t& tile = tiles_[index(tile_column - first_column_, tile_row - first_row_)];
+    if (tile < 0) {
+      tile = static_cast<std::int32_t>(cells_.size() >> (2 * kEdgeBits));
+      cells_.resize((static_cast<std::size_t>(tile) + 1) << (2 * kEdgeBits), empty_);
+    }
+    return cells_[cell(tile, i, j)];
+  }
+  std::size_t bytes() const {
+    return cells_.capacity() * sizeof(Cell) + tiles_.capacity() * sizeof(std::int32_t);
+  }
+  bool empty() const { return cells_.empty(); }
+
+  /// fn(i, j, cell) for each cell of each tile, in the order of the tiles' making.
+  template <class Function>
+  void for_each(Function&& fn) const {
+    for (int row = 0; row < rows_; ++row) {
+      for (int column = 0; column < columns_; ++column) {
+        const std::int32_t tile = tiles_[index(column, row)];
+        if (tile < 0) continue;
+        const int i0 = (column + first_column_) * kEdge;
+        const int j0 = (row + first_row_) * kEdge;
+        for (int j = 0; j < kEdge; ++j)
+          for (int i = 0; i < kEdge; ++i) fn(i0 + i, j0 + j, cells_[cell(tile, i, j)]);
+      }
+    }
+  }
+
+ private:
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(column);
+  }
+  static std::size_t cell(std::int32_t tile, int i, int j) {
+    return (static_cast<std::size_t>(tile) << (2 * kEdgeBits)) +
+           (static_cast<std::size_t>(j & (kEdge - 1)) << kEdgeBits) +
+           static_cast<std::size_t>(i & (kEdge - 1));
+  }
+  void grow(int tile_column, int tile_row) {
+    constexpr int kMargin = 4;
+    const bool none = tiles_.empty();
+    const int left = none ? tile_column - kMargin : std::min(first_column_, tile_column - kMargin);
+    const int low = none ? tile_row - kMargin : std::min(first_row_, tile_row - kMargin);
+    const int right =
+        none ? tile_column + kMargin : std::max(first_column_ + columns_ - 1, tile_column + kMargin);
+    const int high = none ? tile_row + kMargin : std::max(first_row_ + rows_ - 1, tile_row + kMargin);
+    const int columns = right - left + 1;
+    const int rows = high - low + 1;
+    std::vector<std::int32_t> tiles(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), -1);
+    for (int row = 0; row < rows_; ++row)
+      for (int column = 0; column < columns_; ++column)
+        tiles[static_cast<std::size_t>(row + first_row_ - low) * static_cast<std::size_t>(columns) +
+              static_cast<std::size_t>(column + first_column_ - left)] = tiles_[index(column, row)];
+    tiles_ = std::move(tiles);
+    first_column_ = left;
+    first_row_ = low;
+    columns_ = columns;
+    rows_ = rows;
+  }
+
+  static inline const Cell empty_{};
+  int first_column_ = 0;
+  int first_row_ = 0;
+  int columns_ = 0;
+  int rows_ = 0;
+  std::vector<std::int32_t> tiles_;  ///< number of the tile, row-major; -1: none
+  std::vector<Cell> cells_;          ///< tile by tile
+};
+
+}  // namespace bw::slam
