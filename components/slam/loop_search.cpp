@@ -13,6 +13,7 @@ namespace {
 constexpr double kLeastScore = 0.4;
 constexpr double kLeastInliers = 0.5;
 constexpr double kMostThrough = 0.25;
+constexpr int kIterationsOfLoop = 15;
 constexpr double kApart = 0.2;  // [m] of the points that are searched with
 constexpr double kSigmas = 3.0;
 constexpr double kLeastWindow = 0.3;  // [m]
@@ -122,7 +123,14 @@ std::optional<Loop> LoopSearch::find(const Submap& earlier, const UncertainPose&
       branch_and_bound(grids_, thinned(earlier.surfaces), start, window, kLeastScore, visited_);
   if (!found) return std::nullopt;
   if (!map_) map_.emplace(options_.resolution, later_.surfaces);
-  const Refined refined = refine(*map_, points_of(earlier.surfaces), found->X, nullptr, 15);
+  const std::vector<SurfacePoint> walls = points_of(earlier.surfaces);
+  Refined refined = refine(*map_, walls, found->X, nullptr, kIterationsOfLoop);
+  if (!refined.unseen.isZero()) {
+    // Along a corridor any place fits: the one that was expected is taken.
+    const Vector2 along = refined.unseen * refined.unseen.dot(expected.X.position() - refined.X.position());
+    refined = refine(*map_, walls, {refined.X.x + along.x(), refined.X.y + along.y(), refined.X.theta},
+                     nullptr, kIterationsOfLoop);
+  }
   if (refined.inliers < kLeastInliers) return std::nullopt;
   Loop loop;
   loop.score = found->score;

@@ -25,7 +25,8 @@ class OdometryTrust {
   double turn() const { return turn_; }      ///< factor on the variance of the heading
 
  private:
-  double travel_ = 1.0;
+  double travel_ =
+      0.1;  ///< counted from SlamOptions: most bases' encoders are better, and a corridor is lost by less
   double turn_ = 1.0;
 };
 
