@@ -103,6 +103,8 @@ SlamReplay replay(const RecordedDrive& drive, const SlamOptions& options, const 
     });
     sweep.beam_poses = poses;
     const Tracked tracked = result.slam.add(scan_of(sweep, options), *X_OB);
+    while (result.slam.advance()) {
+    }
     result.scans.push_back({sweep.time, tracked.placement, result.slam.pose(tracked.placement), *X_OB});
   }
   result.slam.finish();

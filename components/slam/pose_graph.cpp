@@ -12,16 +12,20 @@
 namespace bw::slam {
 namespace {
 
-constexpr double kScaling = 7.8;  // chi^2 of three degrees of freedom that 95 % of right loops stay below
-constexpr double kGraduation =
-    30.0;  // graduated non-convexity: what is far off at first is let pull before it is judged
-constexpr int kSolverIterations = 30;
-constexpr double kUntrusted = 0.1;  // share of a loop's weight
+constexpr double kScaling = 7.8;      // chi^2 of three degrees of freedom that 95 % of right loops stay below
+constexpr double kGraduation = 30.0;  // from one scaling to the next
+constexpr int kMostIterations = 30;   // with one scaling
+constexpr int kIterationsOfStep = 3;
+constexpr double kTrustRegion = 1e7;  // wide, since each step begins with it again
+constexpr double kUntrusted = 0.1;    // share of a loop's weight
 
-// s below `scaling` counts as it is, s far above as good as nothing: weight (2 k / (k + s))^2.
+// s below the scaling counts as it is, s far above as good as nothing: weight (2 k / (k + s))^2.
 class DynamicCovarianceScaling final : public ceres::LossFunction {
  public:
   explicit DynamicCovarianceScaling(double scaling) : scaling_(scaling) {}
+
+  double scaling() const { return scaling_; }
+  void set_scaling(double scaling) { scaling_ = scaling; }
 
   void Evaluate(double s, double out[3]) const override {
     if (s <= scaling_) {
@@ -93,45 +97,70 @@ double disagreement(const Edge& edge, const std::vector<Pose2>& poses) {
   return (whitening(edge.X.covariance) * e).squaredNorm();
 }
 
-namespace {
-
-int solve(const std::vector<Edge>& edges, double scaling, std::vector<Pose2>& poses) {
+struct Optimisation::Problem {
+  DynamicCovarianceScaling loss{kScaling};
   std::vector<std::array<double, 3>> values;
-  values.reserve(poses.size());
-  for (const Pose2& pose : poses) values.push_back({pose.x, pose.y, pose.theta});
-  DynamicCovarianceScaling loss(scaling);
-  ceres::Problem::Options problem_options;
-  problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  ceres::Problem problem(problem_options);
-  for (auto& value : values) problem.AddParameterBlock(value.data(), 3);
-  for (const Edge& edge : edges)
-    problem.AddResidualBlock(new EdgeResidual(edge.X, whitening(edge.X.covariance)),
-                             edge.loop ? &loss : nullptr, values[edge.from].data(), values[edge.to].data());
-  problem.SetParameterBlockConstant(values.front().data());
+  ceres::Problem problem{options()};
+  int iterations = 0;  // with this scaling
+  bool finished = false;
+
+  static ceres::Problem::Options options() {
+    ceres::Problem::Options options;
+    options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+    return options;
+  }
+};
+
+Optimisation::~Optimisation() = default;
+Optimisation::Optimisation(Optimisation&&) noexcept = default;
+Optimisation& Optimisation::operator=(Optimisation&&) noexcept = default;
+
+Optimisation::Optimisation(const std::vector<Edge>& edges, const std::vector<Pose2>& poses)
+    : problem_(std::make_unique<Problem>()) {
+  Problem& p = *problem_;
+  p.finished = poses.size() < 2 || edges.empty();
+  p.values.reserve(poses.size());
+  for (const Pose2& pose : poses) p.values.push_back({pose.x, pose.y, pose.theta});
+  for (auto& value : p.values) p.problem.AddParameterBlock(value.data(), 3);
+  double worst = kScaling;
+  for (const Edge& edge : edges) {
+    if (edge.loop) worst = std::max(worst, disagreement(edge, poses));
+    p.problem.AddResidualBlock(new EdgeResidual(edge.X, whitening(edge.X.covariance)),
+                               edge.loop ? &p.loss : nullptr, p.values[edge.from].data(),
+                               p.values[edge.to].data());
+  }
+  if (!p.values.empty()) p.problem.SetParameterBlockConstant(p.values.front().data());
+  p.loss.set_scaling(worst);
+}
+
+bool Optimisation::step() {
+  Problem& p = *problem_;
+  if (p.finished) return false;
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
-  options.max_num_iterations = kSolverIterations;
+  options.max_num_iterations = kIterationsOfStep;
   options.function_tolerance = 1e-5;
+  options.initial_trust_region_radius = kTrustRegion;
   options.num_threads = 1;
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
-  for (std::size_t i = 0; i < poses.size(); ++i)
-    poses[i] = {values[i][0], values[i][1], wrap_angle(values[i][2])};
-  return summary.num_successful_steps + summary.num_unsuccessful_steps;
+  ceres::Solve(options, &p.problem, &summary);
+  p.iterations += kIterationsOfStep;
+  if (summary.termination_type == ceres::NO_CONVERGENCE && p.iterations < kMostIterations) return true;
+  if (p.loss.scaling() <= kScaling) {
+    p.finished = true;
+    return false;
+  }
+  p.loss.set_scaling(std::max(kScaling, p.loss.scaling() / kGraduation));
+  p.iterations = 0;
+  return true;
 }
 
-}  // namespace
-
-int optimise(const std::vector<Edge>& edges, std::vector<Pose2>& poses) {
-  if (poses.size() < 2 || edges.empty()) return 0;
-  double worst = 0.0;
-  for (const Edge& edge : edges)
-    if (edge.loop) worst = std::max(worst, disagreement(edge, poses));
-  int iterations = 0;
-  for (double scaling = worst; scaling > kScaling; scaling /= kGraduation)
-    iterations += solve(edges, scaling, poses);
-  return iterations + solve(edges, kScaling, poses);
+std::vector<Pose2> Optimisation::poses() const {
+  std::vector<Pose2> poses;
+  poses.reserve(problem_->values.size());
+  for (const auto& value : problem_->values) poses.push_back({value[0], value[1], wrap_angle(value[2])});
+  return poses;
 }
 
 std::vector<UncertainPose> relative_to(std::size_t from, const std::vector<Edge>& edges,

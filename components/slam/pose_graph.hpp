@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "components/slam/uncertain_pose.hpp"
@@ -20,8 +21,23 @@ struct Edge {
 /// Squared Mahalanobis distance of an edge from the poses; three degrees of freedom.
 double disagreement(const Edge& edge, const std::vector<Pose2>& poses);
 
-/// Moves all poses but the first. Returns the iterations that it took.
-int optimise(const std::vector<Edge>& edges, std::vector<Pose2>& poses);
+/// Finds the poses that fit best, all but the first, in short steps: a graph of 700 submaps takes some milliseconds each.
+/// Graduated: what is far off at first is let pull before it is judged (graduated non-convexity, Yang 2020).
+class Optimisation {
+ public:
+  Optimisation(const std::vector<Edge>& edges, const std::vector<Pose2>& poses);
+  ~Optimisation();
+  Optimisation(Optimisation&&) noexcept;
+  Optimisation& operator=(Optimisation&&) noexcept;
+
+  /// False when it is finished.
+  bool step();
+  std::vector<Pose2> poses() const;
+
+ private:
+  struct Problem;
+  std::unique_ptr<Problem> problem_;
+};
 
 /// Along the surest way through the edges, the pose of each submap in the frame of `from`, with the covariance summed
 /// on the way (Dijkstra by its trace); edges with less than a tenth of their weight left are not used.

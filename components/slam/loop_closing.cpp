@@ -1,0 +1,161 @@
+#include "components/slam/loop_closing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "components/slam/pairwise_consistency.hpp"
+
+namespace bw::slam {
+namespace {
+
+constexpr std::size_t kOverlapping =
+    3;  // [submaps] nearer along the drive, scans were matched with each other
+constexpr std::size_t kMostCandidates = 6;
+constexpr double kWide = 2.0;  // [m] beyond, a search is dear and finds look-alikes
+constexpr double kAllRound = 0.2;
+constexpr std::size_t kMostFar = 32;
+constexpr std::size_t kImages = 6;          // nodes of a submap that look through the other
+constexpr double kSure = 0.5;               // [m] a search so narrow needs no second loop
+constexpr std::size_t kSupport = 3;         // loops that agree
+constexpr std::size_t kWaiting = 200;       // loops that wait for support
+constexpr double kJointNoise = 0.003;       // [m] of a step between submaps, beyond what is summed
+constexpr double kJointTurnNoise = 0.0015;  // [rad]
+
+}  // namespace
+
+struct LoopClosing::Search {
+  std::vector<UncertainPose> others;
+  std::vector<std::size_t> candidates;
+  std::size_t next = 0;
+  std::vector<const RangeImage*> images;
+  std::vector<Pose2> X_SB;
+  std::optional<LoopSearch> loops;
+};
+
+bool LoopClosing::advance() {
+  if (optimisation_) {
+    if (optimisation_->step()) return true;
+    X_MS_ = optimisation_->poses();
+    optimisation_.reset();
+    ++counts_.optimisations;
+    return true;
+  }
+  if (!search_) {
+    if (waiting_.empty()) return false;
+    take_up();
+    return true;
+  }
+  if (search_->next < search_->candidates.size()) {
+    const std::size_t earlier = search_->candidates[search_->next++];
+    ++counts_.searched;
+    if (auto loop = search_->loops->find(submaps_[earlier], search_->others[earlier])) {
+      ++counts_.found;
+      loop->edge.from = earlier;
+      loop->edge.to = submaps_.size() - 1;
+      pending_.push_back(*loop);
+    }
+    return true;
+  }
+  counts_.visited += search_->loops->visited();
+  search_.reset();
+  if (accept()) optimisation_.emplace(edges_, X_MS_);
+  return true;
+}
+
+void LoopClosing::take_up() {
+  const std::size_t index = submaps_.size();
+  submaps_.push_back(std::move(waiting_.front()));
+  waiting_.pop_front();
+  Submap& submap = submaps_.back();
+  submap.all_round = all_round(submap.surfaces);
+  submap.centre = centre(submap.surfaces);
+  if (index == 0) {
+    X_MS_.emplace_back();
+    return;
+  }
+  submap.X_PS.covariance.diagonal() += Eigen::Vector3d{kJointNoise * kJointNoise, kJointNoise * kJointNoise,
+                                                       kJointTurnNoise * kJointTurnNoise};
+  edges_.push_back({index - 1, index, submap.X_PS, false});
+  X_MS_.push_back(X_MS_.back() * submap.X_PS.X);
+  if (options_.do_loop_closing) begin_search();
+}
+
+void LoopClosing::begin_search() {
+  const std::size_t later = submaps_.size() - 1;
+  const Submap& submap = submaps_[later];
+  search_ = std::make_shared<Search>();
+  Search& search = *search_;
+  search.others = relative_to(later, edges_, X_MS_);
+  search.candidates = candidates(search.others);
+  const std::size_t stride = std::max<std::size_t>(1, (submap.last_node - submap.first_node) / kImages);
+  for (std::size_t n = submap.first_node; n < submap.last_node && n < nodes_.size(); n += stride) {
+    const Placement& placement = nodes_[n].placement;
+    search.images.push_back(&nodes_[n].ranges);
+    search.X_SB.push_back(placement.submap == later ? placement.X_SB
+                                                    : inverse(submap.X_PS.X) * placement.X_SB);
+  }
+  search.loops.emplace(submap, search.images, search.X_SB, options_);
+}
+
+std::vector<std::size_t> LoopClosing::candidates(const std::vector<UncertainPose>& others) {
+  const std::size_t later = submaps_.size() - 1;
+  struct Candidate {
+    std::size_t submap = 0;
+    double distance = 0.0;  // [m], or in standard deviations
+  };
+  std::vector<Candidate> near;
+  std::vector<Candidate> far;
+  const double reach = options_.loop_search_maximum_distance;
+  for (std::size_t j = 0; j + kOverlapping <= later; ++j) {
+    const double sigma = std::sqrt(others[j].covariance.topLeftCorner<2, 2>().trace());
+    const double distance = (others[j].X * submaps_[j].centre - submaps_[later].centre).norm();
+    if (distance - 3.0 * sigma > reach) continue;
+    if (3.0 * sigma <= kWide)
+      near.push_back({j, distance});
+    else if (submaps_[later].all_round > kAllRound && submaps_[j].all_round > kAllRound)
+      far.push_back({j, std::max(0.0, distance - reach) / sigma});
+  }
+  const auto nearer = [](const Candidate& a, const Candidate& b) {
+    return a.distance != b.distance ? a.distance < b.distance : a.submap < b.submap;
+  };
+  std::sort(near.begin(), near.end(), nearer);
+  if (near.size() > kMostCandidates) near.resize(kMostCandidates);
+  std::vector<std::size_t> chosen;
+  for (const Candidate& candidate : near) chosen.push_back(candidate.submap);
+  // Of many, some each time, so that all have their turn.
+  std::sort(far.begin(), far.end(), nearer);
+  for (std::size_t k = 0; k < std::min(far.size(), kMostFar); ++k)
+    chosen.push_back(far[turn_++ % far.size()].submap);
+  return chosen;
+}
+
+bool LoopClosing::accept() {
+  std::vector<bool> taken(pending_.size(), false);
+  bool any = false;
+  for (std::size_t i = 0; i < pending_.size(); ++i) {
+    if (taken[i]) continue;
+    if (pending_[i].window <= kSure) {
+      taken[i] = true;
+      continue;
+    }
+    const std::vector<std::size_t> clique = supporters(i, pending_, submaps_);
+    if (clique.size() < kSupport) continue;
+    for (const std::size_t k : clique) taken[k] = true;
+  }
+  std::vector<Loop> left;
+  for (std::size_t i = 0; i < pending_.size(); ++i) {
+    if (!taken[i]) {
+      left.push_back(pending_[i]);
+      continue;
+    }
+    any = true;
+    ++counts_.accepted;
+    edges_.push_back(pending_[i].edge);
+    accepted_.push_back(pending_[i]);
+  }
+  if (left.size() > kWaiting) left.erase(left.begin(), left.end() - kWaiting);
+  pending_ = std::move(left);
+  return any;
+}
+
+}  // namespace bw::slam

@@ -1,0 +1,67 @@
+// From finished submaps to where they lie on the map: loops are searched for, accepted, and the graph optimised, in
+// pieces of work small enough to come between two scans.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "components/slam/loop_search.hpp"
+#include "components/slam/pose_graph.hpp"
+#include "components/slam/slam_options.hpp"
+#include "components/slam/submap.hpp"
+
+namespace bw::slam {
+
+struct LoopCounts {
+  std::int64_t searched = 0;  ///< pairs of submaps
+  std::int64_t found = 0;     ///< loops
+  std::int64_t accepted = 0;
+  std::int64_t visited = 0;  ///< poses and squares of branch and bound
+  std::int64_t optimisations = 0;
+};
+
+class LoopClosing {
+ public:
+  /// `nodes`: those that the submaps name; outlives this, and does not move what it holds.
+  LoopClosing(const SlamOptions& options, const std::deque<Node>& nodes) : options_(options), nodes_(nodes) {}
+
+  void add(const Submap& submap) { waiting_.push_back(submap); }
+
+  /// Compares one pair of submaps, or goes on with the graph: below a millisecond or a few. False: nothing is left to do.
+  bool advance();
+
+  /// Of submaps that were taken up: those that wait are not among them.
+  const std::vector<Submap>& submaps() const { return submaps_; }
+  const std::vector<Pose2>& X_MS() const { return X_MS_; }
+  const std::deque<Submap>& waiting() const { return waiting_; }
+  const std::vector<Loop>& loops() const { return accepted_; }
+  const LoopCounts& counts() const { return counts_; }
+  /// Counts up whenever submaps moved.
+  std::int64_t revision() const { return counts_.optimisations; }
+
+ private:
+  struct Search;
+  void take_up();
+  void begin_search();
+  /// Submaps that the newest may have seen again; others: their poses in it.
+  std::vector<std::size_t> candidates(const std::vector<UncertainPose>& others);
+  bool accept();
+
+  SlamOptions options_;
+  const std::deque<Node>& nodes_;
+  std::deque<Submap> waiting_;
+  std::vector<Submap> submaps_;
+  std::vector<Pose2> X_MS_;
+  std::vector<Edge> edges_;
+  std::vector<Loop> pending_;
+  std::vector<Loop> accepted_;
+  std::shared_ptr<Search> search_;  ///< of the newest submap
+  std::optional<Optimisation> optimisation_;
+  std::size_t turn_ = 0;  ///< of the candidates that are far
+  LoopCounts counts_;
+};
+
+}  // namespace bw::slam
