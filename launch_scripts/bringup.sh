@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Brings a real robot up: bringup.sh ROBOT.yaml [--map MAP.yaml] [--emulate] [--no-page] [options of `bandwagon run`]
+# Brings a real robot up: bringup.sh ROBOT.yaml [--map MAP.yaml | --slam] [--emulate] [--no-page] [options of `bandwagon run`]
 #
 # Looks whether the program is built and the robot's ports can be opened (and says what to do), starts config/graphs/robot.yaml with
 # one process per `process:`, the base in one of its own, waits until everything is up, and prints the page's address. Ctrl-C brings
-# the robot to rest first, then ends all. --emulate: emulators instead of devices, on a simulated floor.
+# the robot to rest first, then ends all. --slam: makes the map while it drives. --emulate: emulators instead of devices, on a simulated floor.
 # Exit status: 0 ended by Ctrl-C or by --for, 1 something is missing or failed, 2 wrong use. BANDWAGON_BRINGUP_SECONDS: longest wait (60).
 # BANDWAGON_PROGRAM: another program than build/release/bin/bandwagon.
 set -euo pipefail
@@ -19,7 +19,7 @@ refuse() { # refuse STATUS LINE...
   printf '%s\n' "$@" >&2
   exit "$status"
 }
-usage="usage: $0 ROBOT.yaml [--map MAP.yaml] [--emulate] [--no-page] [options of bandwagon run]"
+usage="usage: $0 ROBOT.yaml [--map MAP.yaml | --slam] [--emulate] [--no-page] [options of bandwagon run]"
 
 (($# > 0)) || refuse 2 "$usage" "Robots: $(cd "$root" && echo config/robots/*.yaml)"
 robot=$1
@@ -31,6 +31,7 @@ settings=(--set "robot=$(realpath "$robot")")
 options=()
 page=(--page)
 emulated=false
+slam=false
 use_map() {
   [[ -f $1 ]] || refuse 2 "No such map: $1" "Wanted: the YAML file beside the picture, as map_server and map_saver have it."
   map=$(realpath "$1")
@@ -44,6 +45,7 @@ while (($# > 0)); do
       shift
       ;;
     --map=*) use_map "${1#--map=}" ;;
+    --slam) slam=true ;;
     --emulate) emulated=true ;;
     --no-page) page=() ;;
     --page | --page=*) page=("$1") ;;
@@ -57,6 +59,10 @@ while (($# > 0)); do
   esac
   shift
 done
+if $slam; then
+  [[ -z $map ]] || refuse 2 "--slam makes the map, --map brings one: not both." "$usage"
+  settings+=(--set slam.enabled=true --set localization.enabled=false --set map_server.enabled=false)
+fi
 [[ -z $map ]] || settings+=(--set "map_server.map=$map")
 [[ -z $map ]] || ! $emulated || settings+=(--set "world.map=$map")
 ! $emulated || settings+=(--set emulate=true)

@@ -77,6 +77,7 @@ void LoopClosing::take_up() {
                                                        kJointTurnNoise * kJointTurnNoise};
   edges_.push_back({index - 1, index, submap.X_PS, false});
   X_MS_.push_back(X_MS_.back() * submap.X_PS.X);
+  newest_in_first_ = newest_in_first_ * submap.X_PS;
   if (options_.do_loop_closing) begin_search();
 }
 
@@ -86,6 +87,7 @@ void LoopClosing::begin_search() {
   search_ = std::make_shared<Search>();
   Search& search = *search_;
   search.others = relative_to(later, edges_, X_MS_);
+  newest_in_first_ = inverse(search.others.front());
   search.candidates = candidates(search.others);
   const std::size_t stride = std::max<std::size_t>(1, (submap.last_node - submap.first_node) / kImages);
   for (std::size_t n = submap.first_node; n < submap.last_node && n < nodes_.size(); n += stride) {

@@ -39,6 +39,8 @@ class LoopClosing {
   const std::deque<Submap>& waiting() const { return waiting_; }
   const std::vector<Loop>& loops() const { return accepted_; }
   const LoopCounts& counts() const { return counts_; }
+  /// Pose of the newest of them in the first, with the covariance of the surest way there.
+  const UncertainPose& newest_in_first() const { return newest_in_first_; }
   /// Counts up whenever submaps moved.
   std::int64_t revision() const { return counts_.optimisations; }
 
@@ -60,6 +62,7 @@ class LoopClosing {
   std::vector<Loop> accepted_;
   std::shared_ptr<Search> search_;  ///< of the newest submap
   std::optional<Optimisation> optimisation_;
+  UncertainPose newest_in_first_;
   std::size_t turn_ = 0;  ///< of the candidates that are far
   LoopCounts counts_;
 };

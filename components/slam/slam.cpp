@@ -43,4 +43,20 @@ Pose2 Slam::pose(const Placement& placement) const {
           wrap_angle(by_this.theta + placement.share * d.z())};
 }
 
+Eigen::Matrix3d Slam::covariance(const Tracked& tracked) const {
+  // Of the newest submap that was searched for loops; from there the way that was tracked.
+  UncertainPose X = closing_.newest_in_first();
+  const std::size_t from = closing_.X_MS().empty() ? 0 : closing_.X_MS().size() - 1;
+  if (tracked.placement.submap > from) {
+    std::size_t at = closing_.X_MS().size();
+    for (const Submap& submap : closing_.waiting()) {
+      if (at > tracked.placement.submap) break;
+      X = X * submap.X_PS;
+      ++at;
+    }
+    for (const UncertainPose& X_PS : tracking_.under_way(at, tracked.placement.submap)) X = X * X_PS;
+  }
+  return (X * tracked.X_SB).covariance;
+}
+
 }  // namespace bw::slam

@@ -34,6 +34,8 @@ class Slam {
 
   /// X_MB of a scan that was added, with all that is known by now.
   Pose2 pose(const Placement& placement) const;
+  /// Covariance of (x, y, theta) of a scan's pose in the map, relative to the first.
+  Eigen::Matrix3d covariance(const Tracked& tracked) const;
   /// Scans of the map, in order of time; those that are there do not move in memory.
   const std::deque<Node>& nodes() const { return *nodes_; }
   const std::vector<Loop>& loops() const { return closing_.loops(); }

@@ -1,0 +1,186 @@
+#include "components/slam/adaptor/slam_component.hpp"
+
+#include <fmt/format.h>
+
+#include "components/messages/geometry.hpp"
+#include "components/messages/grid.hpp"
+#include "components/messages/laser.hpp"
+#include "components/model/sweep_motion.hpp"
+
+namespace bw::slam {
+namespace {
+
+constexpr std::size_t kMostWaiting = 20;  // scans, for odometry of their time
+constexpr int kPiecesPerScan =
+    6;  // of the work on loops: at 10 scans/s a submap's is done before the next comes
+constexpr int kDrawnPerScan = 4;   // scans of the map
+constexpr double kDoubtful = 0.3;  // share of beams that must meet the map
+
+std::string seconds(Time time) { return fmt::format("{:.3f}", time.to_seconds()); }
+
+}  // namespace
+
+void SlamComponent::configure(Setup& setup) {
+  parameters_ = setup.parameters<SlamParameters>();
+  const std::filesystem::path folder = setup.file_parameter("folder");
+  folder_ = std::filesystem::absolute(folder.empty() ? std::filesystem::path(parameters_.folder) : folder);
+  const MapStartPose& start = parameters_.map_start_pose;
+  X_MW_ = {start.x, start.y, start.yaw};
+  map_frame_ = setup.frame("map");
+  odom_frame_ = setup.frame("odom");
+  base_frame_ = setup.frame("base_link");
+  log_ = setup.log();
+  diagnostics_ = &setup.diagnostics();
+  mounts_ = SensorMounts(setup, setup.transforms());
+  filtered_ = setup.output<nav_msgs::msg::Odometry>("odometry/filtered");
+  tf_ = setup.output<tf2_msgs::msg::TFMessage>("/tf", Qos::tf());
+  pose_ = setup.output<geometry_msgs::msg::PoseWithCovarianceStamped>("pose");
+  map_ = setup.output<nav_msgs::msg::OccupancyGrid>("map", Qos::latched());
+  setup.input<nav_msgs::msg::Odometry>("odom", Qos::standard(50),
+                                       [this](const auto& m, const Tick& tick) { on_odometry(m, tick); });
+  setup.input<sensor_msgs::msg::LaserScan>("scan", Qos::sensor(),
+                                           [this](const auto& m, const Tick&) { on_scan(m); });
+  setup.every(Duration::seconds(parameters_.map_update_interval), "map",
+              [this](const Tick& tick) { publish_map(tick); });
+  setup.every(Duration::seconds(1.0), "health", [this](const Tick& tick) { report(tick); });
+  offer_services(setup);
+  begin_map();
+}
+
+void SlamComponent::activate(const Tick&) { waiting_.clear(); }
+
+void SlamComponent::begin_map() {
+  slam_ = std::make_unique<Slam>(parameters_.algorithm);
+  painter_ = std::make_unique<MapPainter>(parameters_.algorithm.resolution, X_MW_);
+  covariance_.setZero();
+  published_ = -1;
+}
+
+void SlamComponent::on_odometry(const nav_msgs::msg::Odometry& message, const Tick&) {
+  const Time time = from_stamp(message.header().stamp());
+  const Pose2 X_OB = from_pose(message.pose().pose());
+  if (!is_finite(X_OB)) return;
+  if (!odometry_.add(time, X_OB))
+    log_.warn("odometry went back in time to {}: the clock was set, or two programs publish odom",
+              seconds(time));
+  use_waiting_scans();
+  if (slam_->counts().scans == 0) return;
+  const Pose2 X_MO = map_to_odom_.next(X_OB);
+  tf2_msgs::msg::TFMessage tf;
+  tf.transforms().push_back(to_transform(map_frame_, odom_frame_, time, X_MO));
+  tf_.publish(tf);
+  nav_msgs::msg::Odometry filtered;
+  filtered.header(make_header(map_frame_, time));
+  filtered.child_frame_id(base_frame_);
+  filtered.pose().pose(to_pose(X_MO * X_OB));
+  set_planar_covariance(filtered.pose().covariance(), covariance_);
+  filtered.twist(message.twist());
+  filtered_.publish(filtered);
+}
+
+void SlamComponent::on_scan(const sensor_msgs::msg::LaserScan& message) {
+  if (paused_) return;
+  if (waiting_.size() == kMostWaiting) {
+    ++too_early_;
+    waiting_.pop_front();
+  }
+  waiting_.push_back(message);
+  use_waiting_scans();
+}
+
+void SlamComponent::use_waiting_scans() {
+  while (!waiting_.empty()) {
+    const sensor_msgs::msg::LaserScan& scan = waiting_.front();
+    const LaserSweep sweep = to_sweep(scan, {});
+    const Time last = sweep.time + Duration::seconds(std::abs(taken_after(sweep, 0.0)));
+    if (!odometry_.covers(last) && !odometry_.began_after(sweep.time)) return;
+    use(scan);
+    waiting_.pop_front();
+  }
+}
+
+void SlamComponent::use(const sensor_msgs::msg::LaserScan& message) {
+  const Pose2 X_BL = mounts_.of(message.header().frame_id());
+  LaserSweep sweep = to_sweep(message, X_BL);
+  const std::string where =
+      fmt::format("scan in frame '{}' of {}", message.header().frame_id(), seconds(sweep.time));
+  if (const SweepFault fault = fault_of(sweep); fault != SweepFault::none) {
+    log_.warn("{} is left out: {}", where, to_text(fault));
+    return;
+  }
+  const std::optional<Pose2> X_OB = odometry_.at(sweep.time);
+  if (!X_OB) {
+    log_.warn(
+        "{} is left out: odom has nothing at that time, the newest is of {}. Do both programs use one clock?",
+        where, odometry_.newest() ? seconds(*odometry_.newest()) : "never");
+    return;
+  }
+  const Pose2 X_BO = inverse(*X_OB);
+  const std::vector<Pose2> poses = beam_poses(sweep, X_BL, [&](Time time) -> std::optional<Pose2> {
+    const std::optional<Pose2> X = odometry_.at(time);
+    return X ? std::optional<Pose2>(X_BO * *X) : std::nullopt;
+  });
+  sweep.beam_poses = poses;
+  const bool is_first = slam_->counts().scans == 0;
+  const Tracked tracked = slam_->add(scan_of(sweep, parameters_.algorithm), *X_OB);
+  for (int i = 0; i < kPiecesPerScan && slam_->advance(); ++i) {
+  }
+  painter_->update(*slam_, kDrawnPerScan);
+  map_time_ = sweep.time;
+  inliers_ = tracked.match.inliers;
+  unseen_ = !tracked.match.unseen.isZero();
+  const Pose2 X_MB = X_MW_ * slam_->pose(tracked.placement);
+  if (is_first) {
+    map_to_odom_.jump(X_MB * X_BO);
+  } else {
+    map_to_odom_.set(X_MB * X_BO);
+  }
+  covariance_ = slam_->covariance(tracked);
+  geometry_msgs::msg::PoseWithCovarianceStamped pose;
+  pose.header(make_header(map_frame_, sweep.time));
+  pose.pose().pose(to_pose(X_MB));
+  set_planar_covariance(pose.pose().covariance(), covariance_);
+  pose_.publish(pose);
+}
+
+nav_msgs::msg::OccupancyGrid SlamComponent::map_message(Time stamp) const {
+  return to_message(painter_->grid(), map_frame_, stamp);
+}
+
+void SlamComponent::publish_map(const Tick&) {
+  if (slam_->nodes().empty() || painter_->drawn() == published_) return;
+  published_ = painter_->drawn();
+  map_.publish(map_message(map_time_));
+}
+
+void SlamComponent::report(const Tick&) {
+  using Level = DiagnosticReporter::Level;
+  if (too_early_ > told_too_early_) {
+    log_.warn(
+        "{} scans were dropped since odom does not reach their time: its newest is of {}, the scan waiting of {}",
+        too_early_ - told_too_early_, odometry_.newest() ? seconds(*odometry_.newest()) : "never",
+        waiting_.empty() ? "-" : seconds(to_sweep(waiting_.front(), {}).time));
+    told_too_early_ = too_early_;
+  }
+  const LoopCounts& loops = slam_->loop_counts();
+  diagnostics_->set_value("scans", std::to_string(slam_->counts().scans));
+  diagnostics_->set_value("scans in the map", std::to_string(slam_->nodes().size()));
+  diagnostics_->set_value("submaps", std::to_string(slam_->submaps()));
+  diagnostics_->set_value("loop closures", std::to_string(loops.accepted));
+  diagnostics_->set_value("beams that meet the map", fmt::format("{:.2f}", inliers_));
+  if (paused_) {
+    diagnostics_->report(Level::ok, "paused: scans are not used");
+  } else if (slam_->counts().scans == 0) {
+    diagnostics_->report(Level::warn, "waits for scans and odometry");
+  } else if (slam_->counts().scans > 1 && inliers_ < kDoubtful) {
+    diagnostics_->report(Level::warn, "the scan does not meet the map: by odometry");
+  } else if (unseen_) {
+    diagnostics_->report(Level::ok, "mapping; along one direction by odometry");
+  } else {
+    diagnostics_->report(Level::ok, "mapping");
+  }
+}
+
+BW_COMPONENT(SlamComponent, "slam")
+
+}  // namespace bw::slam

@@ -1,0 +1,38 @@
+// The map of a SLAM under way, drawn a few scans at a time: new ones, and again those whose pose moved.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "components/slam/map_rendering.hpp"
+#include "components/slam/slam.hpp"
+
+namespace bw::slam {
+
+class MapPainter {
+ public:
+  MapPainter(double resolution, const Pose2& X_MW)
+      : resolution_(resolution), X_MW_(X_MW), rendering_(resolution) {}
+
+  /// Draws at most `most` scans. X_MW: what Slam calls its map, in the frame that is drawn in. False: all is as it
+  /// should be.
+  bool update(const Slam& slam, int most);
+
+  /// Counts up with each scan that was drawn.
+  std::int64_t drawn() const { return drawn_; }
+  OccupancyGrid grid() const { return rendering_.grid(); }
+
+ private:
+  bool moved(const Pose2& from, const Pose2& to) const;
+
+  double resolution_;
+  Pose2 X_MW_;
+  MapRendering rendering_;
+  std::vector<Pose2> X_MB_;     ///< of each node, as it was drawn
+  std::int64_t revision_ = 0;   ///< of the poses that are looked at
+  std::size_t next_again_ = 0;  ///< node that is looked at next for a pose that moved
+  std::int64_t drawn_ = 0;
+};
+
+}  // namespace bw::slam
