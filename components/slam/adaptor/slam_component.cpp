@@ -41,8 +41,8 @@ void SlamComponent::configure(Setup& setup) {
   setup.input<sensor_msgs::msg::LaserScan>("scan", Qos::sensor(),
                                            [this](const auto& m, const Tick&) { on_scan(m); });
   setup.every(Duration::seconds(parameters_.map_update_interval), "map",
-              [this](const Tick& tick) { publish_map(tick); });
-  setup.every(Duration::seconds(1.0), "health", [this](const Tick& tick) { report(tick); });
+              [this](const Tick&) { publish_map(); });
+  setup.every(Duration::seconds(1.0), "health", [this](const Tick&) { report(); });
   offer_services(setup);
   begin_map();
 }
@@ -141,19 +141,21 @@ void SlamComponent::use(const sensor_msgs::msg::LaserScan& message) {
   pose.pose().pose(to_pose(X_MB));
   set_planar_covariance(pose.pose().covariance(), covariance_);
   pose_.publish(pose);
+  if (is_first) publish_map();  // whoever plans need not wait for the next interval
 }
 
 nav_msgs::msg::OccupancyGrid SlamComponent::map_message(Time stamp) const {
   return to_message(painter_->grid(), map_frame_, stamp);
 }
 
-void SlamComponent::publish_map(const Tick&) {
+void SlamComponent::publish_map() {
   if (slam_->nodes().empty() || painter_->drawn() == published_) return;
   published_ = painter_->drawn();
-  map_.publish(map_message(map_time_));
+  const nav_msgs::msg::OccupancyGrid map = map_message(map_time_);
+  if (!map.data().empty()) map_.publish(map);  // beams that met nothing draw none
 }
 
-void SlamComponent::report(const Tick&) {
+void SlamComponent::report() {
   using Level = DiagnosticReporter::Level;
   if (too_early_ > told_too_early_) {
     log_.warn(

@@ -34,8 +34,8 @@ class SlamComponent final : public Component {
   void on_scan(const sensor_msgs::msg::LaserScan& message);
   void use_waiting_scans();
   void use(const sensor_msgs::msg::LaserScan& message);
-  void publish_map(const Tick& tick);
-  void report(const Tick& tick);
+  void publish_map();
+  void report();
   nav_msgs::msg::OccupancyGrid map_message(Time stamp) const;
 
   SlamParameters parameters_;
