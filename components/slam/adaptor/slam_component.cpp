@@ -5,7 +5,10 @@
 #include "components/messages/geometry.hpp"
 #include "components/messages/grid.hpp"
 #include "components/messages/laser.hpp"
+#include "components/messages/obstacles.hpp"
+#include "components/messages/placed.hpp"
 #include "components/model/sweep_motion.hpp"
+#include "components/slam/leave_out.hpp"
 
 namespace bw::slam {
 namespace {
@@ -13,8 +16,9 @@ namespace {
 constexpr std::size_t kMostWaiting = 20;  // scans, for odometry of their time
 constexpr int kPiecesPerScan =
     6;  // of the work on loops: at 10 scans/s a submap's is done before the next comes
-constexpr int kDrawnPerScan = 4;   // scans of the map
-constexpr double kDoubtful = 0.3;  // share of beams that must meet the map
+constexpr int kDrawnPerScan = 4;       // scans of the map
+constexpr double kOldestTracks = 0.5;  // [s] older ones do not say where people are
+constexpr double kDoubtful = 0.3;      // share of beams that must meet the map
 
 std::string seconds(Time time) { return fmt::format("{:.3f}", time.to_seconds()); }
 
@@ -31,7 +35,8 @@ void SlamComponent::configure(Setup& setup) {
   base_frame_ = setup.frame("base_link");
   log_ = setup.log();
   diagnostics_ = &setup.diagnostics();
-  mounts_ = SensorMounts(setup, setup.transforms());
+  transforms_ = setup.transforms();
+  mounts_ = SensorMounts(setup, transforms_);
   filtered_ = setup.output<nav_msgs::msg::Odometry>("odometry/filtered");
   tf_ = setup.output<tf2_msgs::msg::TFMessage>("/tf", Qos::tf());
   pose_ = setup.output<geometry_msgs::msg::PoseWithCovarianceStamped>("pose");
@@ -40,6 +45,7 @@ void SlamComponent::configure(Setup& setup) {
                                        [this](const auto& m, const Tick& tick) { on_odometry(m, tick); });
   setup.input<sensor_msgs::msg::LaserScan>("scan", Qos::sensor(),
                                            [this](const auto& m, const Tick&) { on_scan(m); });
+  tracks_ = setup.latest<bandwagon_msgs::msg::Tracks>("tracks", Qos::standard(), Need::optional);
   setup.every(Duration::seconds(parameters_.map_update_interval), "map",
               [this](const Tick&) { publish_map(); });
   setup.every(Duration::seconds(1.0), "health", [this](const Tick&) { report(); });
@@ -121,6 +127,10 @@ void SlamComponent::use(const sensor_msgs::msg::LaserScan& message) {
     return X ? std::optional<Pose2>(X_BO * *X) : std::nullopt;
   });
   sweep.beam_poses = poses;
+  std::vector<Disc> people = people_at(sweep.time);
+  for (Disc& person : people) person.center = X_BO * person.center;
+  const std::vector<float> ranges = without_people(sweep, people);
+  sweep.ranges = ranges;
   const bool is_first = slam_->counts().scans == 0;
   const Tracked tracked = slam_->add(scan_of(sweep, parameters_.algorithm), *X_OB);
   for (int i = 0; i < kPiecesPerScan && slam_->advance(); ++i) {
@@ -142,6 +152,11 @@ void SlamComponent::use(const sensor_msgs::msg::LaserScan& message) {
   set_planar_covariance(pose.pose().covariance(), covariance_);
   pose_.publish(pose);
   if (is_first) publish_map();  // whoever plans need not wait for the next interval
+}
+
+std::vector<Disc> SlamComponent::people_at(Time time) const {
+  const auto from = placed(tracks_, *transforms_, odom_frame_, time, kOldestTracks);
+  return from ? to_discs(*tracks_, from->age, from->X_TF) : std::vector<Disc>{};
 }
 
 nav_msgs::msg::OccupancyGrid SlamComponent::map_message(Time stamp) const {

@@ -5,13 +5,16 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include <bandwagon_msgs/msg/tracks.hpp>
 #include <geometry_msgs/msg/pose_with_covariance_stamped.hpp>
 #include <nav_msgs/msg/occupancy_grid.hpp>
 #include <nav_msgs/msg/odometry.hpp>
 #include <sensor_msgs/msg/laser_scan.hpp>
 #include <tf2_msgs/msg/tf_message.hpp>
 
+#include "components/model/obstacles.hpp"
 #include "components/slam/map_odom.hpp"
 #include "components/slam/map_painter.hpp"
 #include "components/slam/odometry_history.hpp"
@@ -34,6 +37,8 @@ class SlamComponent final : public Component {
   void on_scan(const sensor_msgs::msg::LaserScan& message);
   void use_waiting_scans();
   void use(const sensor_msgs::msg::LaserScan& message);
+  /// Discs in odom.
+  std::vector<Disc> people_at(Time time) const;
   void publish_map();
   void report();
   nav_msgs::msg::OccupancyGrid map_message(Time stamp) const;
@@ -58,7 +63,9 @@ class SlamComponent final : public Component {
   std::string map_frame_;
   std::string odom_frame_;
   std::string base_frame_;
+  std::shared_ptr<const TransformTree> transforms_;
   SensorMounts mounts_;
+  Latest<bandwagon_msgs::msg::Tracks> tracks_;
   Output<nav_msgs::msg::Odometry> filtered_;
   Output<tf2_msgs::msg::TFMessage> tf_;
   Output<geometry_msgs::msg::PoseWithCovarianceStamped> pose_;

@@ -3,9 +3,9 @@
 #include <numbers>
 #include <vector>
 
+#include <bandwagon_msgs/msg/tracks.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <map_msgs/msg/occupancy_grid_update.hpp>
 #include <nav_msgs/msg/occupancy_grid.hpp>
 #include <nav_msgs/msg/odometry.hpp>
 #include <nav_msgs/srv/get_map.hpp>
@@ -43,7 +43,10 @@ constexpr Pose2 kMount{0.15, 0.0, std::numbers::pi};  // a scanner that looks ba
 Pose2 truth_at(double t) { return advance_exact({}, {kSpeed, kSpeed / kRadius}, t); }
 Pose2 odometry_at(double t) { return advance_exact({}, {0.97 * kSpeed, 1.02 * kSpeed / kRadius}, t); }
 
-LaserScan scan_at(double t, Time stamp) {
+/// Who stands in the room for all the time, if anybody does.
+constexpr Disc kPerson{{-2.5, 1.0}, 0.25};
+
+LaserScan scan_at(double t, Time stamp, bool person) {
   LaserScan scan;
   scan.header(make_header("laser", stamp));
   scan.angle_min(-static_cast<float>(std::numbers::pi));
@@ -58,6 +61,7 @@ LaserScan scan_at(double t, Time stamp) {
     double range = std::numeric_limits<double>::infinity();
     for (const Segment& wall : kRoom)
       range = std::min(range, ray_hit(X_ML.position(), direction(X_ML.theta + angle), wall));
+    if (person) range = std::min(range, ray_hit(X_ML.position(), direction(X_ML.theta + angle), kPerson));
     scan.ranges().push_back(static_cast<float>(range));
   }
   return scan;
@@ -80,6 +84,8 @@ struct Script {
   std::vector<TimedRequest<Reset>> resets;
   double seconds = 40.0;
   double scan_delay = 0.0;  ///< [s] by which odometry comes later than scans
+  bool person = false;
+  bool tracked = false;  ///< and `tracks` tells
 };
 
 Seen run(const Script& script) {
@@ -112,7 +118,7 @@ Seen run(const Script& script) {
             mounts.transforms().push_back(to_transform("base_link", "laser", tick.now, kMount));
             tf_static.publish(mounts);
           }
-          if (tick.sequence % 5 == 0) scan.publish(scan_at(t, tick.now));
+          if (tick.sequence % 5 == 0) scan.publish(scan_at(t, tick.now, script.person));
           const double late = t - script.scan_delay;
           if (late < 0.0) return;
           nav_msgs::msg::Odometry message;
@@ -193,6 +199,26 @@ TEST(SlamComponent, PublishesAMapThatGrowsToTheRoom) {
   EXPECT_NEAR(free * 0.05 * 0.05, 45.0, 3.0);  // 48 m^2 less cupboards of 2 and 0.7 m^2
   ASSERT_EQ(seen.shown.size(), 1U);
   EXPECT_EQ(seen.shown[0].map().info().width(), seen.maps.back().info().width());
+}
+
+int occupied_near(const OccupancyGrid& grid, const Disc& disc) {
+  int cells = 0;
+  for (int row = 0; row < grid.height; ++row)
+    for (int column = 0; column < grid.width; ++column)
+      if (grid.at(column, row) == OccupancyGrid::kOccupied &&
+          (grid.center(column, row) - disc.center).norm() < disc.radius + 0.1)
+        ++cells;
+  return cells;
+}
+
+// Who stands there for the whole drive is a wall, but not if `tracks` knows better.
+TEST(SlamComponent, LeavesPeopleOutOfTheMap) {
+  const Seen taken_for_a_wall = run({.seconds = 20.0, .person = true});
+  const Seen known = run({.seconds = 20.0, .person = true, .tracked = true});
+  ASSERT_FALSE(taken_for_a_wall.maps.empty());
+  ASSERT_FALSE(known.maps.empty());
+  EXPECT_GT(occupied_near(grid_of(taken_for_a_wall.maps.back()), kPerson), 10);
+  EXPECT_EQ(occupied_near(grid_of(known.maps.back()), kPerson), 0);
 }
 
 TEST(SlamComponent, StartsWhereItIsToldTo) {
