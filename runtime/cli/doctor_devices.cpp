@@ -40,7 +40,7 @@ void check_device(DoctorReport& report, const SerialDevice& device, const System
   }
   struct stat status {};
   const bool is_there = stat(name.c_str(), &status) == 0;
-  const auto holders = is_there ? holders_of(status.st_rdev, -1, folders) : std::vector<PortHolder>{};
+  const auto holders = is_there ? holders_of(status, -1, folders) : std::vector<PortHolder>{};
   if (!is_there) {
     report.warn(description(device) + ": the kernel knows it, but there is no such file (udev?)");
   } else if (!holders.empty()) {

@@ -9,7 +9,6 @@
 #include <sys/file.h>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
-#include <sys/sysmacros.h>
 #include <unistd.h>
 
 #include "runtime/serial/port_holders.hpp"
@@ -39,12 +38,10 @@ std::string why_not_opened(int error, const std::string& device, const SystemFol
   return std::strerror(error);
 }
 
-bool is_pseudo_terminal(dev_t device) { return major(device) >= 136 && major(device) <= 143; }
-
 /// Owns nobody else it? Returns who does in words.
 std::string claim(int descriptor, const struct stat& status, const SystemFolders& folders) {
   const bool is_ours = flock(descriptor, LOCK_EX | LOCK_NB) == 0;
-  const auto others = holders_of(status.st_rdev, descriptor, folders);
+  const auto others = holders_of(status, descriptor, folders);
   if (!is_ours || !others.empty()) return "owned by somebody else: in use by " + in_words(others);
   // Shuts out who comes later and looks for no lock. Of a pseudo-terminal the mark would outlive this
   // process.

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <unistd.h>
 
 namespace bw {
@@ -22,11 +23,15 @@ int number(const fs::path& path) {
   return error == std::errc() && end == name.data() + name.size() ? value : -1;
 }
 
-bool has_open(const fs::path& process, dev_t device, int except) {
+bool is_same_port(const struct stat& a, const struct stat& b) {
+  return a.st_rdev == b.st_rdev && (!is_pseudo_terminal(a.st_rdev) || a.st_dev == b.st_dev);
+}
+
+bool has_open(const fs::path& process, const struct stat& port, int except) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(process / "fd", error)) {
     struct stat status {};
-    if (stat(entry.path().c_str(), &status) == 0 && S_ISCHR(status.st_mode) && status.st_rdev == device &&
+    if (stat(entry.path().c_str(), &status) == 0 && S_ISCHR(status.st_mode) && is_same_port(status, port) &&
         number(entry.path()) != except)
       return true;
   }
@@ -35,12 +40,14 @@ bool has_open(const fs::path& process, dev_t device, int except) {
 
 }  // namespace
 
-std::vector<PortHolder> holders_of(dev_t device, int except, const SystemFolders& folders) {
+bool is_pseudo_terminal(dev_t device) { return major(device) >= 136 && major(device) <= 143; }
+
+std::vector<PortHolder> holders_of(const struct stat& port, int except, const SystemFolders& folders) {
   std::vector<PortHolder> holders;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folders.proc, error)) {
     const int pid = number(entry.path());
-    if (pid < 0 || !has_open(entry.path(), device, pid == getpid() ? except : -1)) continue;
+    if (pid < 0 || !has_open(entry.path(), port, pid == getpid() ? except : -1)) continue;
     PortHolder holder{.pid = pid, .name = {}};
     std::ifstream comm(entry.path() / "comm");
     std::getline(comm, holder.name);

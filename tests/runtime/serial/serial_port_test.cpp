@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "runtime/serial/port_holders.hpp"
 #include "tests/runtime/serial/cable.hpp"
 #include "tests/runtime/serial/machine.hpp"
 
@@ -144,6 +145,19 @@ TEST(SerialPort, ASecondOneOfThisProcessIsRefusedAndGetsItsTurn) {
   EXPECT_EQ(reads(cable.device, 4), "mine");
   cable.host.close(now() + Duration::seconds(3600), "given up");
   EXPECT_TRUE(opens(second)) << second.update(now()).fault;
+}
+
+// Two containers of one machine have a /dev/pts/0 each, of one device number; the kernel tells them apart by their file
+// systems.
+TEST(PortHolders, APseudoTerminalOfAnotherContainerIsAnotherOne) {
+  Cable cable;
+  ASSERT_TRUE(cable.connects());
+  struct stat port {};
+  ASSERT_EQ(stat((cable.folder / "cable").c_str(), &port), 0);
+  ASSERT_EQ(holders_of(port).size(), 1U);
+  EXPECT_EQ(holders_of(port)[0].pid, getpid());
+  ++port.st_dev;
+  EXPECT_TRUE(holders_of(port).empty());
 }
 
 /// A program that opens the line and knows of no locks, until it is told to end.
