@@ -64,11 +64,11 @@ OccupancyGrid MapRendering::grid() const {
   OccupancyGrid grid;
   grid.resolution = resolution_;
   if (cells_.empty()) return grid;
-  constexpr int kMost = std::numeric_limits<int>::max();
-  int left = kMost;
-  int low = kMost;
-  int right = -kMost;
-  int high = -kMost;
+  constexpr int kLargest = std::numeric_limits<int>::max();
+  int left = kLargest;
+  int low = kLargest;
+  int right = -kLargest;
+  int high = -kLargest;
   cells_.for_each([&](int i, int j, const Counts& counts) {
     if (counts.hits == 0 && counts.passes == 0) return;
     left = std::min(left, i);

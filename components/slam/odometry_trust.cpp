@@ -7,7 +7,7 @@ namespace bw::slam {
 namespace {
 
 constexpr double kLeast = 0.002;  // of the variance
-constexpr double kMost = 10.0;
+constexpr double kLargest = 10.0;
 constexpr double kShareUp = 0.2;  // of a step that odometry was worse than thought
 constexpr double kShareDown = 0.03;
 
@@ -16,9 +16,9 @@ constexpr double kMostTurnSigma = 0.01;  // [rad]
 constexpr double kStepNoise = 1e-3;      // [m], [rad] of any step
 
 void learn_one(double squared, double of_scan, double assumed, double& factor) {
-  const double seen = std::clamp((squared - of_scan) / assumed, kLeast, 4.0 * kMost);
+  const double seen = std::clamp((squared - of_scan) / assumed, kLeast, 4.0 * kLargest);
   factor += (seen > factor ? kShareUp : kShareDown) * (seen - factor);
-  factor = std::clamp(factor, kLeast, kMost);
+  factor = std::clamp(factor, kLeast, kLargest);
 }
 
 }  // namespace
