@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <unordered_set>
 
 #include "components/slam/branch_and_bound.hpp"
@@ -77,8 +78,11 @@ double seen_through(std::span<const Surface> surfaces, std::span<const RangeImag
       const Vector2 p = X_LS * Vector2{surfaces[n].x, surfaces[n].y};
       const double range = p.norm();
       if (range < 0.3 || range > 12.0) continue;
-      const double beam = wrap_angle(std::atan2(p.y(), p.x()) - image.angle_min) / image.angle_increment;
-      const int i = static_cast<int>(std::lround(beam));
+      // From the first beam on, as the sweep turns: a scanner may see more than half a circle.
+      double turned = wrap_angle(std::atan2(p.y(), p.x()) - image.angle_min);
+      if (turned * image.angle_increment < 0.0)
+        turned += std::copysign(2.0 * std::numbers::pi, image.angle_increment);
+      const int i = static_cast<int>(std::lround(turned / image.angle_increment));
       if (i < 1 || i + 1 >= beams) continue;
       // All three neighbouring beams must agree: at the edge of an obstacle the next one goes past.
       int beyond = 0;

@@ -1,0 +1,108 @@
+#include "components/slam/loop_search.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/components/slam/slam_scene.hpp"
+
+namespace bw::slam {
+namespace {
+
+// Walls of length a along x and b along y: the lesser over the greater; a corridor 0, a square room 1.
+TEST(AllRound, IsTheShareOfTheWallsThatSayLess) {
+  std::vector<Surface> surfaces;
+  for (int k = 0; k < 90; ++k) surfaces.push_back({0.05F * static_cast<float>(k), 1.0F, -1.0F, 0.0F, 1});
+  EXPECT_EQ(all_round(surfaces), 0.0);
+  for (int k = 0; k < 30; ++k) surfaces.push_back({1.0F, 0.05F * static_cast<float>(k), 1.0F, 0.0F, 1});
+  EXPECT_NEAR(all_round(surfaces), 30.0 / 90.0, 1e-6);
+  for (int k = 0; k < 60; ++k) surfaces.push_back({1.0F, 0.05F * static_cast<float>(k), 1.0F, 0.0F, 1});
+  EXPECT_NEAR(all_round(surfaces), 1.0, 1e-6);
+  EXPECT_EQ(all_round({}), 0.0);
+}
+
+// A submap seen again from a pose 0.2 m and 0.03 rad off what is expected: found to a centimetre. The room's
+// scan is exact, its surfaces are means of cells.
+TEST(LoopSearch, FindsASubmapSeenAgain) {
+  test::Scanner scanner(test::square_of_corridors(), 0.0, 1);
+  const Pose2 X_W1{-5.0, -4.0, 0.0};
+  const Pose2 X_W2{-4.7, -3.9, 0.4};
+  const auto submap_of = [&](const Pose2& X_WS) {
+    SurfaceMap map(0.05);
+    for (int k = 0; k < 5; ++k) {
+      const Pose2 X_SB{0.2 * k, 0.0, 0.0};
+      map.insert(scanner.scan({}, X_WS * X_SB).points, X_SB);
+    }
+    Submap submap;
+    submap.surfaces = map.surfaces();
+    submap.centre = centre(submap.surfaces);
+    return submap;
+  };
+  const Submap earlier = submap_of(X_W1);
+  const Submap later = submap_of(X_W2);
+  const Scan scan = scanner.scan({}, X_W2);
+  const RangeImage* images[] = {&scan.ranges};
+  const Pose2 X_SB;
+  LoopSearch search(later, images, std::span(&X_SB, 1), {});
+  UncertainPose expected{inverse(X_W2) * X_W1, Eigen::Matrix3d::Identity()};
+  expected.X.x += 0.15;
+  expected.X.y -= 0.13;
+  expected.X.theta += 0.03;
+  expected.covariance.diagonal() << 0.01, 0.01, 0.0004;
+  const auto loop = search.find(earlier, expected);
+  ASSERT_TRUE(loop);
+  EXPECT_TRUE(loop->edge.loop);
+  const Eigen::Vector3d off = difference(loop->edge.X.X, inverse(X_W1) * X_W2);
+  EXPECT_LT(off.head<2>().norm(), 0.01);
+  EXPECT_LT(std::abs(off.z()), 0.003);
+  EXPECT_LT(loop->through, 0.05);
+  EXPECT_GT(loop->inliers, 0.8);
+}
+
+// A ring of walls seen from the middle by scanners with each a field of view: beams that go 2 m on went
+// through all of it, beams that end there through nothing. 3 m away, half a degree apart.
+TEST(SeenThrough, IsAllOrNothingOfARingWhateverTheFieldOfView) {
+  std::vector<Surface> ring;
+  for (int k = 0; k < 720; ++k) {
+    const Vector2 p = 3.0 * direction(k * std::numbers::pi / 360.0);
+    ring.push_back({static_cast<float>(p.x()), static_cast<float>(p.y()), 1.0F, 0.0F, 1});
+  }
+  for (const double view : {1.5, 3.0, 4.7, 6.26}) {
+    for (const double sign : {1.0, -1.0}) {
+      RangeImage image;
+      image.angle_min = -0.5 * sign * view;
+      image.angle_increment = sign * view / 359.0;
+      const Pose2 here;
+      const RangeImage* images[] = {&image};
+      image.millimetres.assign(360, 5000);
+      EXPECT_EQ(seen_through(ring, images, std::span(&here, 1)), 1.0) << view << ", sign " << sign;
+      image.millimetres.assign(360, 3000);
+      EXPECT_EQ(seen_through(ring, images, std::span(&here, 1)), 0.0) << view << ", sign " << sign;
+    }
+  }
+}
+
+// Half of the view is seen through, whichever half: the left and the right count alike.
+TEST(SeenThrough, CountsAllOfTheView) {
+  std::vector<Surface> ring;
+  for (int k = 0; k < 720; ++k) {
+    const Vector2 p = 3.0 * direction(k * std::numbers::pi / 360.0);
+    ring.push_back({static_cast<float>(p.x()), static_cast<float>(p.y()), 1.0F, 0.0F, 1});
+  }
+  for (const bool left : {false, true}) {
+    RangeImage image;
+    image.angle_min = -std::numbers::pi;
+    image.angle_increment = 2.0 * std::numbers::pi / 720.0;
+    image.millimetres.assign(720, 3000);
+    for (std::size_t i = 0; i < 360; ++i) image.millimetres[left ? 360 + i : i] = 5000;
+    const Pose2 here;
+    const RangeImage* images[] = {&image};
+    EXPECT_NEAR(seen_through(ring, images, std::span(&here, 1)), 0.5, 0.02) << (left ? "left" : "right");
+  }
+}
+
+}  // namespace
+}  // namespace bw::slam
