@@ -1,4 +1,4 @@
-// A pose found by trying all of a window: correlative matching (Olson 2009) against a submap's likelihood.
+// A pose found by trying a whole window: correlative matching (Olson 2009) against a submap's likelihood.
 #pragma once
 
 #include <span>
@@ -19,8 +19,9 @@ struct Correlation {
   double score = 0.0;  ///< mean likelihood of the points, 0 to 1
 };
 
-/// In steps of a cell, and of the angle that moves the farther points by one. Every pose of the window: the best, those
-/// nearer to the start before others that fit as well.
+/// In steps of a cell, and of the angle that moves the farther points by one: every third pose of the window,
+/// then all around the best of them. Poses nearer to the start come before others that fit nearly as well
+/// (theory.md 10.4).
 Correlation correlate(const SurfaceMap& map, std::span<const SurfacePoint> points, const Pose2& start,
                       const SearchWindow& window);
 

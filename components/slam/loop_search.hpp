@@ -28,8 +28,8 @@ double all_round(std::span<const Surface> surfaces);
 /// Submap::centre of these.
 Vector2 centre(std::span<const Surface> surfaces);
 
-/// Share of `surfaces` (in S) that beams of the nodes went through, of those in their view; X_SN: where each node's
-/// submap-independent pose lies in S.
+/// Share of `surfaces` (in S) that beams of the nodes went through, of those in their view; X_SB: each node's
+/// base_link in S (theory.md 10.8). 0 where too few are in view.
 double seen_through(std::span<const Surface> surfaces, std::span<const RangeImage* const> images,
                     std::span<const Pose2> X_SB);
 

@@ -24,13 +24,14 @@ class MapRendering {
  public:
   explicit MapRendering(double resolution) : resolution_(resolution) {}
 
-  /// Draws a scan at X_MB, or takes it back: what was drawn once at a pose can be taken back at the same pose.
+  /// Draws a scan at X_MB, or takes it back: what was drawn once at a pose can be taken back at the same
+  /// pose, up to 30,000 beams through one cell (theory.md 10.12).
   void draw(const RangeImage& image, const Pose2& X_MB) { add(image, X_MB, 1); }
   void erase(const RangeImage& image, const Pose2& X_MB) { add(image, X_MB, -1); }
 
-  /// All that was drawn, with a margin of one tile; its origin and size grow in steps of a tile. Without scans: an
-  /// empty grid. kOccupied, kFree or kUnknown: a cell is occupied where beams ended in at least a quarter of the
-  /// times that they came to it.
+  /// All that was drawn, with a margin of one tile; its origin and size grow in steps of a tile. Without
+  /// scans: an empty grid. kOccupied, kFree or kUnknown: a cell is occupied where beams ended in at least a
+  /// quarter of the times that they came to it.
   OccupancyGrid grid() const;
 
   std::size_t bytes() const { return cells_.bytes(); }

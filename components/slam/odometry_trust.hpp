@@ -10,14 +10,14 @@ namespace bw::slam {
 /// Covariance of an odometry step as SlamOptions has it, in the frame of its start.
 Eigen::Matrix3d step_covariance(const Pose2& step, const SlamOptions& options);
 
-/// Scales step_covariance(): one base's encoders are ten times as good as another's, and a prior that is too weak
-/// lets clutter turn the robot.
+/// Scales step_covariance(): one base's encoders are ten times as good as another's, and a prior that is too
+/// weak lets clutter turn the robot (theory.md 10.1).
 class OdometryTrust {
  public:
   Eigen::Matrix3d covariance(const Pose2& step, const SlamOptions& options) const;
 
-  /// A scan that fits well: the step by odometry alone and after the scan; covariance of the pose before the scan and
-  /// information by the scan, all in the frame of the step's start.
+  /// A scan that fits well: the step by odometry alone and after the scan; covariance of the pose before the
+  /// scan and information by the scan, all in the frame of the step's start.
   void learn(const Pose2& odometry, const Pose2& corrected, const Eigen::Matrix3d& predicted,
              const Eigen::Matrix3d& information, const SlamOptions& options);
 

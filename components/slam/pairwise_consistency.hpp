@@ -1,4 +1,4 @@
-// Loops that support each other (Mangelson 2018).
+// Loops that support each other (Mangelson 2018; theory.md 10.9).
 #pragma once
 
 #include <span>
@@ -8,11 +8,12 @@
 
 namespace bw::slam {
 
-/// Squared Mahalanobis distance by which two loops and the ways between their ends, along the drive, do not close;
-/// three degrees of freedom.
+/// Squared Mahalanobis distance by which two loops and the ways between their ends, along the drive, do not
+/// close; three degrees of freedom.
 double inconsistency(const Loop& a, const Loop& b, std::span<const Submap> submaps);
 
-/// Indices of the largest set of loops that all agree with loop `with`, itself among them; greedy, the best first.
+/// Indices of loops that agree with loop `with` and with each other, itself first. Greedy, those that agree
+/// best first: a larger set may exist.
 std::vector<std::size_t> supporters(std::size_t with, std::span<const Loop> loops,
                                     std::span<const Submap> submaps);
 

@@ -14,15 +14,17 @@ struct Edge {
   std::size_t from = 0;
   std::size_t to = 0;
   UncertainPose X;
-  /// Loops can be wrong: they are taken back where the rest contradicts (dynamic covariance scaling, Agarwal 2013).
+  /// Loops can be wrong: they are taken back where the rest contradicts (dynamic covariance scaling, Agarwal
+  /// 2013).
   bool loop = false;
 };
 
 /// Squared Mahalanobis distance of an edge from the poses; three degrees of freedom.
 double disagreement(const Edge& edge, const std::vector<Pose2>& poses);
 
-/// Finds the poses that fit best, all but the first, in short steps: a graph of 700 submaps takes some milliseconds each.
-/// Graduated: what is far off at first is let pull before it is judged (graduated non-convexity, Yang 2020).
+/// Finds the poses that fit best, all but the first, in short steps: a graph of 700 submaps takes some
+/// milliseconds each. Graduated: what is far off at first is let pull before it is judged (graduated
+/// non-convexity, Yang 2020; theory.md 10.10).
 class Optimisation {
  public:
   Optimisation(const std::vector<Edge>& edges, const std::vector<Pose2>& poses);
@@ -39,8 +41,9 @@ class Optimisation {
   std::unique_ptr<Problem> problem_;
 };
 
-/// Along the surest way through the edges, the pose of each submap in the frame of `from`, with the covariance summed
-/// on the way (Dijkstra by its trace); edges with less than a tenth of their weight left are not used.
+/// Along the surest way through the edges, the pose of each submap in the frame of `from`, with the
+/// covariance summed on the way (Dijkstra by its trace); loops with less than a tenth of their weight left
+/// are not used (theory.md 10.6). All must be connected by the rest.
 std::vector<UncertainPose> relative_to(std::size_t from, const std::vector<Edge>& edges,
                                        const std::vector<Pose2>& poses);
 

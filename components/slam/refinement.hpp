@@ -11,7 +11,8 @@ namespace bw::slam {
 
 struct Refined {
   Pose2 X;  ///< of what the points are in, in the submap
-  /// What the scan alone says of (x, y, theta), in the submap's axes; directions it does not see are left out.
+  /// What the scan alone says of (x, y, theta), in the submap's axes; directions it does not see are left
+  /// out.
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   double inliers = 0.0;  ///< share of the points that end within kInlier of a wall, 0 to 1
   double rms = 0.0;      ///< of these, along the normals [m]
@@ -22,9 +23,9 @@ struct Refined {
 /// [m] from a wall
 inline constexpr double kInlier = 0.1;
 
-/// Gauss-Newton with Welsch's weights from `start`, pulled to `prior` (of the same pose; nothing by an infinite
-/// covariance is not meant: give null). A direction in which the scan says less than a twentieth of what it says
-/// across is not moved by it (Zhang, Kaess, Singh 2016): there the prior decides.
+/// Gauss-Newton with Welsch's weights from `start`, pulled to `prior`, of the same pose; null: none. A
+/// direction in which the scan says less than a twentieth of what it says across is not moved by it (Zhang,
+/// Kaess, Singh 2016): there the prior decides (theory.md 10.3).
 Refined refine(const SurfaceMap& map, std::span<const SurfacePoint> points, const Pose2& start,
                const UncertainPose* prior, int iterations);
 

@@ -23,7 +23,7 @@ struct SurfacePoint {
   Vector2 position() const { return {x, y}; }
 };
 
-/// Ranges of one sweep in two bytes each.
+/// Ranges of one sweep in two bytes each. Where the scanner was at each beam is not kept.
 struct RangeImage {
   Pose2 X_BL;
   double angle_min = 0.0;        ///< [rad]
@@ -40,8 +40,8 @@ struct Scan {
   RangeImage ranges;
 };
 
-/// `sweep` without fault, X_FL and beam_poses in base_link at sweep.time. Points closer to their neighbour than
-/// half a cell are one. Hits beyond max_laser_range give no point, and are drawn as free up to there.
+/// `sweep` without fault, X_FL and beam_poses in base_link at sweep.time. Points closer than half a
+/// cell to the one before are left out. Hits beyond max_laser_range give no point and draw nothing.
 Scan scan_of(const LaserSweep& sweep, const SlamOptions& options);
 
 }  // namespace bw::slam

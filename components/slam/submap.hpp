@@ -16,7 +16,8 @@ struct Submap {
   std::vector<Surface> surfaces;
   std::size_t first_node = 0;  ///< of Slam::nodes(): those that went into it
   std::size_t last_node = 0;
-  /// How much less its walls say along one direction than across it, 0 (a corridor) to 1.
+  /// What its walls say along the direction of which they say least, as a share of what they say across it: 0
+  /// (a corridor) to 1.
   double all_round = 0.0;
   Vector2 centre{0.0, 0.0};  ///< of its walls [m]: a scanner that looks ahead maps what lies before the robot
 };

@@ -1,5 +1,5 @@
-// Where walls are, from the scans of one submap: a point with a normal for each cell that was hit, and for the
-// cells around the nearest of them.
+// Where walls are, from the scans of one submap: a point with a normal for each cell that was hit, and for
+// the cells around the nearest of them.
 #pragma once
 
 #include <cstdint>
@@ -35,7 +35,8 @@ class SurfaceMap {
 
   void insert(std::span<const SurfacePoint> points, const Pose2& X_SB);
 
-  /// The surface nearest to the centre of the cell that holds (x, y), at most kReach away; null: none.
+  /// The surface nearest to the centre of the cell that holds (x, y), at most kReach away; null: none. To
+  /// within what surfaces have moved in their cells since they were made.
   const Surface* nearest(double x, double y) const {
     const Near& near = near_.at(cell(x), cell(y));
     return near.surface < 0 ? nullptr : &surfaces_[static_cast<std::size_t>(near.surface)];

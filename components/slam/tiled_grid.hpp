@@ -43,7 +43,7 @@ class TiledGrid {
   }
   bool empty() const { return cells_.empty(); }
 
-  /// fn(i, j, cell) for each cell of each tile, in the order of the tiles' making.
+  /// fn(i, j, cell) for each cell of each tile, by rows of tiles.
   template <class Function>
   void for_each(Function&& fn) const {
     for (int row = 0; row < rows_; ++row) {
