@@ -150,6 +150,29 @@ TEST(Slam, PosesDoNotJumpFromSubmapToSubmap) {
   EXPECT_LT(most, 0.05);
 }
 
+// The pose goes from what its submap says of it (0) to what the next one does (1) in proportion, and the graph has
+// moved both by different amounts somewhere.
+TEST(Slam, BlendsInProportionToTheWayToTheNextSubmap) {
+  const Drive& drive = corridors();
+  Slam slam(SlamOptions{});
+  std::vector<Placement> placements;
+  for (std::size_t k = 0; k < drive.scans.size(); ++k)
+    placements.push_back(slam.add(drive.scans[k], drive.X_OB[k]).placement);
+  slam.finish();
+  double most = 0.0;
+  for (Placement placement : placements) {
+    if (placement.submap + 1 >= slam.submaps()) continue;
+    placement.share = 0.0;
+    const Pose2 by_this = slam.pose(placement);
+    placement.share = 1.0;
+    const Eigen::Vector3d by = difference(slam.pose(placement), by_this);
+    placement.share = 0.25;
+    ASSERT_LT((difference(slam.pose(placement), by_this) - 0.25 * by).norm(), 1e-9);
+    most = std::max(most, by.norm());
+  }
+  EXPECT_GT(most, 1e-4);
+}
+
 // Without loops the second round is not matched with the first, and the map is as good as tracking.
 TEST(Slam, WithoutLoopClosingFindsNone) {
   SlamOptions options;
