@@ -9,9 +9,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include "components/slam/map_odom.hpp"
 #include "components/slam/map_painter.hpp"
-#include "components/slam/odometry_history.hpp"
 #include "tests/components/slam/slam_scene.hpp"
 
 namespace bw::slam {
@@ -291,49 +289,6 @@ TEST(MapPainter, EndsAtTheMapOfTheLastPoses) {
   }
   EXPECT_GT(occupied, 500);
   EXPECT_GT(met, occupied * 9 / 10);
-}
-
-// A correction of 0.3 m and 0.1 rad comes in steps of at most 15 mm and 7 mrad of the robot's pose: after 20,
-// or one more by rounding, it is all there, to the bit.
-TEST(MapToOdom, FeedsACorrectionInOverTime) {
-  const Pose2 X_OB{3.0, -2.0, 0.7};
-  MapToOdom transform;
-  const Pose2 wanted{0.3, 0.0, 0.0};
-  transform.set(wanted);
-  Pose2 before = X_OB;
-  int steps = 0;
-  while (transform.told() != wanted && steps < 100) {
-    const Pose2 at = transform.next(X_OB) * X_OB;
-    EXPECT_LE(test::distance(at, before), 0.015 + 1e-9);
-    EXPECT_LE(std::abs(wrap_angle(at.theta - before.theta)), 0.007 + 1e-9);
-    before = at;
-    ++steps;
-  }
-  EXPECT_NEAR(steps, 20, 1);
-  transform.set({0.3, 0.0, 0.1});
-  for (steps = 0; transform.told().theta != 0.1 && steps < 100; ++steps) transform.next({});
-  EXPECT_EQ(steps, 15) << "0.1 / 0.007, rounded up";
-  transform.jump({5.0, 5.0, 1.0});
-  EXPECT_EQ(transform.next(X_OB), (Pose2{5.0, 5.0, 1.0}));
-}
-
-TEST(OdometryHistory, InterpolatesWithinWhatItKeepsAndNowhereElse) {
-  OdometryHistory history;
-  EXPECT_FALSE(history.at(Time::seconds(1.0)));
-  for (int k = 0; k <= 100; ++k) EXPECT_TRUE(history.add(Time::seconds(0.1 * k), {0.1 * k, 0.0, 0.0}));
-  EXPECT_TRUE(history.covers(Time::seconds(10.0)));
-  EXPECT_FALSE(history.covers(Time::seconds(10.01)));
-  EXPECT_TRUE(history.began_after(Time::seconds(4.9)));
-  EXPECT_FALSE(history.began_after(Time::seconds(5.0)));
-  EXPECT_FALSE(history.at(Time::seconds(4.9))) << "5 s are kept";
-  EXPECT_FALSE(history.at(Time::seconds(10.01)));
-  EXPECT_NEAR(history.at(Time::seconds(7.53))->x, 7.53, 1e-9);
-  EXPECT_EQ(history.at(Time::seconds(10.0))->x, 10.0);
-  history.add(Time::seconds(12.0), {12.0, 0.0, 0.0});
-  EXPECT_FALSE(history.at(Time::seconds(11.0))) << "a gap of 2 s";
-  EXPECT_FALSE(history.add(Time::seconds(1.0), {})) << "the clock went back";
-  EXPECT_EQ(history.newest(), Time::seconds(1.0));
-  EXPECT_FALSE(history.at(Time::seconds(12.0)));
 }
 
 }  // namespace
