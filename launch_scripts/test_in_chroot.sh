@@ -55,7 +55,7 @@ bare() {
   fi
 }
 
-# In NAME: mounts of their own, gone when the command ends. `online` as root; `offline USER` with lo alone.
+# With NAME as the root: mounts of their own, gone when the command ends. `online` as root; `offline USER` with lo alone.
 inside() { # inside NAME UNSHARE_OPTIONS... -- CHROOT_OPTIONS... -- COMMAND...
   local system=$chroots/$1 spaces=() as=()
   shift
@@ -68,13 +68,20 @@ inside() { # inside NAME UNSHARE_OPTIONS... -- CHROOT_OPTIONS... -- COMMAND...
     system=$1 shared=$2
     shift 2
     mount --make-rprivate /
-    mount -t proc proc "$system/proc"
-    mount --bind /dev "$system/dev"
-    mount -t tmpfs tmpfs "$system/dev/shm"
-    mount -t tmpfs tmpfs "$system/run"
-    if [ -n "$shared" ]; then mkdir -p "$system/shared" && mount --bind -o ro "$shared" "$system/shared"; fi
+    mount --bind "$system" "$system"
+    cd "$system"
+    mount -t proc proc proc
+    mount --bind /dev dev
+    mount -t devpts -o mode=0620,gid=5 devpts dev/pts
+    mount -t tmpfs tmpfs dev/shm
+    mount -t tmpfs tmpfs run
+    if [ -n "$shared" ]; then mkdir -p shared && mount --bind -o ro "$shared" shared; fi
     ip link set lo up 2>/dev/null || true
-    exec chroot "$@"' inside "$system" "${BANDWAGON_SHARED:-}" "${as[@]}" "$system" \
+    # The root itself, since the kernel gives a process in a chroot no user namespace.
+    pivot_root . mnt
+    cd /
+    umount --lazy mnt
+    exec chroot "$@"' inside "$system" "${BANDWAGON_SHARED:-}" "${as[@]}" / \
     env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin TERM="${TERM:-dumb}" LANG=C.UTF-8 BANDWAGON_JOBS="${BANDWAGON_JOBS:-2}" \
     ${BANDWAGON_SHARED:+BANDWAGON_SHARED=/shared} ${NODE_EXTRA_CA_CERTS:+NODE_EXTRA_CA_CERTS="$NODE_EXTRA_CA_CERTS"} "$@"
 }

@@ -27,16 +27,18 @@ inline std::string in_shared_memory(pid_t process) {
   return found;
 }
 
-/// Fast DDS's files for the ports of a domain, a line each: fastrtps_port32410, sem.fastrtps_port32410_mutex.
-/// Their owners may be gone.
+/// Fast DDS's files for the ports of a domain, a line each: fastrtps_port32410, sem.fastrtps_port32410_mutex;
+/// fastdds_port32410 from version 3 on. Their owners may be gone.
 inline std::string shared_ports_of(int domain) {
-  const std::string mark = "fastrtps_port";
   std::string found;
   for (const auto& entry : std::filesystem::directory_iterator("/dev/shm")) {
     const std::string name = entry.path().filename();
-    const std::size_t begin = name.find(mark);
-    if (begin != std::string::npos && (std::atoi(name.c_str() + begin + mark.size()) - 7400) / 250 == domain)
-      found += name + "\n";
+    for (const std::string mark : {"fastrtps_port", "fastdds_port"}) {
+      const std::size_t begin = name.find(mark);
+      if (begin != std::string::npos &&
+          (std::atoi(name.c_str() + begin + mark.size()) - 7400) / 250 == domain)
+        found += name + "\n";
+    }
   }
   return found;
 }

@@ -93,6 +93,17 @@ efd::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
 
 using Partitions = std::vector<std::string>;
 
+namespace {
+
+/// Whose sockets those are that appear meanwhile: participants of one process come and go one at a time. The
+/// kernel binds a socket to a device only once, for a user without rights.
+std::mutex& coming_and_going() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+}  // namespace
+
 struct Participant::Impl {
   DiscoveryListener discovery;
   efd::DomainParticipant* participant = nullptr;
@@ -105,6 +116,7 @@ struct Participant::Impl {
 
   ~Impl() {
     if (participant == nullptr) return;
+    const std::lock_guard alone(coming_and_going());
     participant->set_listener(nullptr);
     participant->delete_contained_entities();
     efd::DomainParticipantFactory::get_instance()->delete_participant(participant);
@@ -150,6 +162,7 @@ struct Participant::Impl {
 
 Participant::Participant(const ParticipantOptions& options) : impl_(std::make_unique<Impl>()) {
   efd::Log::SetVerbosity(efd::Log::Kind::Error);
+  const std::lock_guard alone(coming_and_going());
   const std::set<int> before = open_datagram_sockets();
   const auto domain = static_cast<efd::DomainId_t>(options.network.domain_id);
   // Created with the listener, so that nothing discovered early is missed.

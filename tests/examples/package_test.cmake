@@ -13,7 +13,7 @@ file(RENAME ${STAGE}/first ${STAGE}/prefix)  # an installed tree may move
 file(COPY ${PROJECT} DESTINATION ${STAGE})
 get_filename_component(name ${PROJECT} NAME)
 set(project ${STAGE}/${name})
-run("configuring" ${CMAKE_COMMAND} -S ${project} -B ${project}/build -DCMAKE_PREFIX_PATH=${STAGE}/prefix
+run("configuring" ${CMAKE_COMMAND} -G Ninja -S ${project} -B ${project}/build -DCMAKE_PREFIX_PATH=${STAGE}/prefix
   "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror")
 run("building" ${CMAKE_COMMAND} --build ${project}/build)
 

@@ -157,7 +157,7 @@ TEST_F(ServiceFaults, RepliesToReadersThatNeverComeAreBounded) {
     plain::rtps::WriteParams params;
     params.related_sample_identity().writer_guid(ghost);
     plain::Bytes request = trigger_request();
-    ASSERT_TRUE(client.writer().write(&request, params));
+    ASSERT_TRUE(bw::fast_dds::write(client.writer(), &request, params));
     if (i % 50 == 0) {
       ASSERT_TRUE(client.call(trigger_request()).has_value());
     }

@@ -168,7 +168,7 @@ TEST_F(ServerOnTheWire, AReplyWaitsForAReaderThatComesAfterTheRequest) {
   plain::rtps::WriteParams params;
   params.related_sample_identity().writer_guid(future);
   plain::Bytes request = plain::from_hex(trigger.request);
-  ASSERT_TRUE(ready.writer().write(&request, params));
+  ASSERT_TRUE(bw::fast_dds::write(ready.writer(), &request, params));
   plain::dds::DataReader* reader = node.create_reader({.topic = plain::reply_topic("/example/trigger"),
                                                        .type = plain::response_type(trigger.type),
                                                        .type_hash = {},

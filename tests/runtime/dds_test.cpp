@@ -1,11 +1,13 @@
 // The border to DDS: what reaches whom, and that nothing but the loopback device carries it.
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdlib>
 #include <cstring>
 #include <map>
 #include <mutex>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -50,6 +52,25 @@ TEST(LoopbackSockets, EverySocketOfAParticipantIsBoundToLo) {
     ++checked;
   }
   EXPECT_GE(checked, 2);  // metatraffic and user data at least
+}
+
+// As a user without rights: root may bind a socket again.
+TEST(LoopbackSockets, ParticipantsThatComeAtOnceBindEachTheirOwn) {
+  std::atomic<int> refused = 0;
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i) {
+    threads.emplace_back([&refused] {
+      for (int j = 0; j < 5; ++j) {
+        try {
+          const Participant participant(local());
+        } catch (const std::runtime_error&) {
+          ++refused;
+        }
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(refused, 0);
 }
 
 // Fast DDS has threads that open and close sockets while a participant is created.

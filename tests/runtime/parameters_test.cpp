@@ -281,7 +281,10 @@ TEST(ParseYaml, RefusesWhatAConfigurationDoesNotNeed) {
   EXPECT_EQ(yaml_refusal("a: \xff"), "d.yaml:1: not UTF-8 text");
   EXPECT_EQ(yaml_refusal("a: \xe2\x82"), "d.yaml:1: not UTF-8 text");
   EXPECT_EQ(yaml_refusal("a:\n  b: [1, 2\n"), "d.yaml:3: a.b.2: not YAML: end of sequence flow not found");
-  EXPECT_EQ(yaml_refusal("a: *nowhere"), "d.yaml:1: a: not YAML: the referenced anchor is not defined");
+  // yaml-cpp 0.8 names the anchor, 0.7 does not.
+  EXPECT_THAT(
+      yaml_refusal("a: *nowhere"),
+      testing::MatchesRegex("d.yaml:1: a: not YAML: the referenced anchor is not defined(: nowhere)?"));
 }
 
 TEST(ParseYaml, LimitsDepthValuesAndBytes) {
