@@ -44,7 +44,7 @@ Pose2 truth_at(double t) { return advance_exact({}, {kSpeed, kSpeed / kRadius}, 
 Pose2 odometry_at(double t) { return advance_exact({}, {0.97 * kSpeed, 1.02 * kSpeed / kRadius}, t); }
 
 /// Who stands in the room for all the time, if anybody does.
-constexpr Disc kPerson{{-2.5, 1.0}, 0.25};
+const Disc kPerson{{-2.5, 1.0}, 0.25};
 
 LaserScan scan_at(double t, Time stamp, bool person) {
   LaserScan scan;
