@@ -110,6 +110,8 @@ Seen run(const Script& script) {
     setup.every(
         Duration::milliseconds(20), "robot",
         [&script, scan = setup.output<LaserScan>("scan", Qos::sensor()),
+         tracks = setup.output<bandwagon_msgs::msg::Tracks>("tracks"),
+         tf = setup.output<tf2_msgs::msg::TFMessage>("/tf", Qos::tf()),
          odom = setup.output<nav_msgs::msg::Odometry>("odom"),
          tf_static = setup.output<tf2_msgs::msg::TFMessage>("/tf_static", Qos::latched())](const Tick& tick) {
           const double t = seconds_since_start(tick.now);
@@ -118,7 +120,9 @@ Seen run(const Script& script) {
             mounts.transforms().push_back(to_transform("base_link", "laser", tick.now, kMount));
             tf_static.publish(mounts);
           }
-          if (tick.sequence % 5 == 0) scan.publish(scan_at(t, tick.now, script.person));
+          // Who is tracked is so from before the first scan.
+          if (tick.sequence % 5 == 0 && (!script.tracked || tick.sequence > 5))
+            scan.publish(scan_at(t, tick.now, script.person));
           const double late = t - script.scan_delay;
           if (late < 0.0) return;
           nav_msgs::msg::Odometry message;
@@ -126,6 +130,20 @@ Seen run(const Script& script) {
           message.child_frame_id("base_link");
           message.pose().pose(to_pose(odometry_at(late)));
           odom.publish(message);
+          if (!script.tracked) return;
+          tf2_msgs::msg::TFMessage transform;
+          transform.transforms().push_back(to_transform("odom", "base_link", tick.now, odometry_at(late)));
+          tf.publish(transform);
+          bandwagon_msgs::msg::Tracks people;
+          people.header(make_header("base_link", tick.now));
+          bandwagon_msgs::msg::Track track;
+          const Vector2 at = inverse(truth_at(t)) * kPerson.center;
+          track.position().x(at.x());
+          track.position().y(at.y());
+          track.radius(kPerson.radius);
+          track.confidence(1.0);
+          people.tracks().push_back(track);
+          tracks.publish(people);
         });
   });
   return seen;
