@@ -54,25 +54,6 @@ TEST(LoopbackSockets, EverySocketOfAParticipantIsBoundToLo) {
   EXPECT_GE(checked, 2);  // metatraffic and user data at least
 }
 
-// As a user without rights: root may bind a socket again.
-TEST(LoopbackSockets, ParticipantsThatComeAtOnceBindEachTheirOwn) {
-  std::atomic<int> refused = 0;
-  std::vector<std::thread> threads;
-  for (int i = 0; i < 4; ++i) {
-    threads.emplace_back([&refused] {
-      for (int j = 0; j < 5; ++j) {
-        try {
-          const Participant participant(local());
-        } catch (const std::runtime_error&) {
-          ++refused;
-        }
-      }
-    });
-  }
-  for (std::thread& thread : threads) thread.join();
-  EXPECT_EQ(refused, 0);
-}
-
 // Fast DDS has threads that open and close sockets while a participant is created.
 TEST(LoopbackSockets, OneThatHasBeenClosedMeanwhileIsNoFailure) {
   const int descriptor = socket(AF_INET, SOCK_DGRAM, 0);
