@@ -16,9 +16,10 @@ namespace {
 constexpr std::size_t kMostWaiting = 20;  // scans, for odometry of their time
 constexpr int kPiecesPerScan =
     6;  // of the work on loops: at 10 scans/s a submap's is done before the next comes
-constexpr int kDrawnPerScan = 4;       // scans of the map
-constexpr double kOldestTracks = 0.5;  // [s] older ones do not say where people are
-constexpr double kDoubtful = 0.3;      // share of beams that must meet the map
+constexpr int kDrawnPerScan = 4;            // scans of the map
+constexpr std::size_t kTilesPerScan = 500;  // of the map to be published: half a millisecond
+constexpr double kOldestTracks = 0.5;       // [s] older ones do not say where people are
+constexpr double kDoubtful = 0.3;           // share of beams that must meet the map
 
 std::string seconds(Time time) { return fmt::format("{:.3f}", time.to_seconds()); }
 
@@ -40,7 +41,7 @@ void SlamComponent::configure(Setup& setup) {
   filtered_ = setup.output<nav_msgs::msg::Odometry>("odometry/filtered");
   tf_ = setup.output<tf2_msgs::msg::TFMessage>("/tf", Qos::tf());
   pose_ = setup.output<geometry_msgs::msg::PoseWithCovarianceStamped>("pose");
-  map_ = setup.output<nav_msgs::msg::OccupancyGrid>("map", Qos::latched());
+  map_.configure(setup);
   setup.input<nav_msgs::msg::Odometry>("odom", Qos::standard(50),
                                        [this](const auto& m, const Tick& tick) { on_odometry(m, tick); });
   setup.input<sensor_msgs::msg::LaserScan>("scan", Qos::sensor(),
@@ -53,13 +54,20 @@ void SlamComponent::configure(Setup& setup) {
   begin_map();
 }
 
-void SlamComponent::activate(const Tick&) { waiting_.clear(); }
+void SlamComponent::activate(const Tick&) {
+  waiting_.clear();
+  map_.activate();
+}
+
+void SlamComponent::deactivate(const Tick&) { map_.deactivate(); }
 
 void SlamComponent::begin_map() {
   slam_ = std::make_unique<Slam>(parameters_.algorithm);
   painter_ = std::make_unique<MapPainter>(parameters_.algorithm.resolution, X_MW_);
   covariance_.setZero();
-  published_ = -1;
+  map_.begin(parameters_.algorithm.resolution);
+  tiles_.clear();
+  is_gathering_ = false;
 }
 
 void SlamComponent::on_odometry(const nav_msgs::msg::Odometry& message, const Tick&) {
@@ -137,6 +145,7 @@ void SlamComponent::use(const sensor_msgs::msg::LaserScan& message) {
   }
   painter_->update(*slam_, kDrawnPerScan);
   map_time_ = sweep.time;
+  gather_map();
   inliers_ = tracked.match.inliers;
   unseen_ = !tracked.match.unseen.isZero();
   const Pose2 X_MB = X_MW_ * slam_->pose(tracked.placement);
@@ -164,10 +173,19 @@ nav_msgs::msg::OccupancyGrid SlamComponent::map_message(Time stamp) const {
 }
 
 void SlamComponent::publish_map() {
-  if (slam_->nodes().empty() || painter_->drawn() == published_) return;
-  published_ = painter_->drawn();
-  const nav_msgs::msg::OccupancyGrid map = map_message(map_time_);
-  if (!map.data().empty()) map_.publish(map);  // beams that met nothing draw none
+  if (slam_->nodes().empty()) return;
+  if (!is_gathering_) to_gather_ = painter_->changed_tiles();
+  is_gathering_ = true;
+  gather_map();
+}
+
+/// Tiles of the map in pieces between scans: all of a large one change at once when a loop is closed.
+void SlamComponent::gather_map() {
+  if (!is_gathering_) return;
+  const std::size_t now = std::min(to_gather_, kTilesPerScan);
+  painter_->gather(now, tiles_);
+  to_gather_ -= now;
+  if (to_gather_ == 0) is_gathering_ = !map_.send(tiles_, map_time_);
 }
 
 void SlamComponent::report() {

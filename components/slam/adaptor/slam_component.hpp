@@ -15,6 +15,7 @@
 #include <tf2_msgs/msg/tf_message.hpp>
 
 #include "components/model/obstacles.hpp"
+#include "components/slam/adaptor/map_output.hpp"
 #include "components/slam/map_odom.hpp"
 #include "components/slam/map_painter.hpp"
 #include "components/slam/odometry_history.hpp"
@@ -29,6 +30,7 @@ class SlamComponent final : public Component {
  public:
   void configure(Setup& setup) override;
   void activate(const Tick& tick) override;
+  void deactivate(const Tick& tick) override;
 
  private:
   void offer_services(Setup& setup);
@@ -40,6 +42,7 @@ class SlamComponent final : public Component {
   /// Discs in odom.
   std::vector<Disc> people_at(Time time) const;
   void publish_map();
+  void gather_map();
   void report();
   nav_msgs::msg::OccupancyGrid map_message(Time stamp) const;
 
@@ -52,9 +55,11 @@ class SlamComponent final : public Component {
   MapToOdom map_to_odom_;
   std::deque<sensor_msgs::msg::LaserScan> waiting_;  ///< for odometry of their time
   Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();
-  Time map_time_;                ///< of the newest scan in the map
-  std::int64_t published_ = -1;  ///< MapPainter::drawn() of the map that was published
-  std::int64_t too_early_ = 0;   ///< scans that odometry did not reach
+  Time map_time_;               ///< of the newest scan in the map
+  std::vector<MapTile> tiles_;  ///< of the map, to be published
+  std::size_t to_gather_ = 0;   ///< tiles that are missing among them
+  bool is_gathering_ = false;
+  std::int64_t too_early_ = 0;  ///< scans that odometry did not reach
   std::int64_t told_too_early_ = 0;
   double inliers_ = 0.0;  ///< of the newest scan
   bool unseen_ = false;   ///< it does not show where the robot is along one direction
@@ -69,7 +74,7 @@ class SlamComponent final : public Component {
   Output<nav_msgs::msg::Odometry> filtered_;
   Output<tf2_msgs::msg::TFMessage> tf_;
   Output<geometry_msgs::msg::PoseWithCovarianceStamped> pose_;
-  Output<nav_msgs::msg::OccupancyGrid> map_;
+  MapOutput map_;
   Logger log_;
   DiagnosticReporter* diagnostics_ = nullptr;
 };

@@ -18,6 +18,7 @@
 #include "components/files/map_file.hpp"
 #include "components/messages/geometry.hpp"
 #include "components/messages/grid.hpp"
+#include "components/messages/map_input.hpp"
 #include "components/model/differential_drive.hpp"
 #include "components/world/ray.hpp"
 #include "tests/components/service_calls.hpp"
@@ -69,6 +70,8 @@ LaserScan scan_at(double t, Time stamp, bool person) {
 
 struct Seen {
   std::vector<nav_msgs::msg::OccupancyGrid> maps;
+  std::vector<map_msgs::msg::OccupancyGridUpdate> updates;
+  nav_msgs::msg::OccupancyGrid followed;       ///< the map, and updates laid into it
   std::vector<nav_msgs::msg::Odometry> poses;  ///< odometry/filtered
   std::vector<Pose2> X_MO;
   std::vector<GetMap::Response> shown;
@@ -92,8 +95,11 @@ Seen run(const Script& script) {
   Seen seen;
   const std::string yaml = "components: {slam: {parameters: {" + script.parameters + "}}}";
   run_with_script(yaml, script.seconds, [&](Setup& setup) {
+    listen_to_map(setup, [&](const auto& m, const Tick&) { seen.followed = m; });
     setup.input<nav_msgs::msg::OccupancyGrid>("map", Qos::latched(),
                                               [&](const auto& m, const Tick&) { seen.maps.push_back(m); });
+    setup.input<map_msgs::msg::OccupancyGridUpdate>(
+        "map_updates", Qos::standard(), [&](const auto& m, const Tick&) { seen.updates.push_back(m); });
     setup.input<nav_msgs::msg::Odometry>("odometry/filtered", Qos::standard(50),
                                          [&](const auto& m, const Tick&) { seen.poses.push_back(m); });
     setup.input<tf2_msgs::msg::TFMessage>("/tf", Qos::tf(), [&](const auto& m, const Tick&) {
@@ -217,6 +223,21 @@ TEST(SlamComponent, PublishesAMapThatGrowsToTheRoom) {
   EXPECT_NEAR(free * 0.05 * 0.05, 45.0, 3.0);  // 48 m^2 less cupboards of 2 and 0.7 m^2
   ASSERT_EQ(seen.shown.size(), 1U);
   EXPECT_EQ(seen.shown[0].map().info().width(), seen.maps.back().info().width());
+}
+
+// In 34 s of 2 s each, with the room seen from the first scan on: whole maps when the size changes and every
+// tenth second, updates between. Whoever lays these into those has at every time what is asked for by service.
+TEST(SlamComponent, UpdatesBetweenMapsAreThoseThatChanged) {
+  const Seen seen = run({.pauses = {{34.0, {}}}});
+  EXPECT_GE(seen.maps.size(), 3U);
+  EXPECT_LE(seen.maps.size(), 8U);
+  EXPECT_GE(seen.updates.size(), 8U);
+  ASSERT_EQ(seen.shown.size(), 1U);
+  EXPECT_EQ(seen.followed.data(), seen.shown[0].map().data());
+  EXPECT_EQ(seen.followed.info().origin().position().x(), seen.shown[0].map().info().origin().position().x());
+  EXPECT_EQ(seen.followed.info().origin().position().y(), seen.shown[0].map().info().origin().position().y());
+  EXPECT_EQ(seen.maps.back().data(), seen.followed.data())
+      << "four seconds after the last change it is told whole";
 }
 
 int occupied_near(const OccupancyGrid& grid, const Disc& disc) {
