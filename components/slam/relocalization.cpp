@@ -23,11 +23,12 @@ constexpr double kPlaceFree = 3.0;  // [m] along a direction that nothing shows
 constexpr double kBeside = 4.0;  // [m] from the way of the map's robot
 constexpr double kBlock = 3.2;   // [m] half of the edge of what is searched at a time
 constexpr int kSectors = 8;      // of the heading
-constexpr double kLeastPlaceScore = 0.5;
+constexpr double kLeastPlaceScore = 0.6;
 constexpr double kWorse = 0.15;     // a score so much below the best is not looked at
 constexpr double kRival = 0.1;      // a place as good as this less may be the right one
 constexpr double kSamePlace = 0.5;  // [m]
 constexpr double kSameHeading = 0.2;
+constexpr std::size_t kMostSearched = 100;  // points
 constexpr std::size_t kAgain = 5;  // nodes of the local map until it is searched for again
 constexpr std::size_t kLooks = 8;  // scans of the local map that look through walls
 constexpr SearchWindow kLastLook{0.4, 0.4, 0.15};
@@ -102,7 +103,9 @@ void PlaceSearch::begin_search() {
   const std::size_t under_way = local_.submap_under_way();
   const std::vector<Surface>& surfaces = local_.walls_under_way()->surfaces();
   X_WS_ = local_.pose({under_way, {}, 0.0});
-  points_ = thinned(surfaces);
+  const std::vector<Vector2> all = thinned(surfaces);
+  points_.clear();
+  for (std::size_t n = 0; n < all.size(); n += 1 + all.size() / kMostSearched) points_.push_back(all[n]);
   walls_.clear();
   for (const Surface& surface : surfaces) walls_.push_back(surface.point());
   images_.clear();

@@ -60,7 +60,7 @@ struct KnownBuilding {
 };
 
 const KnownBuilding& office() {
-  static const KnownBuilding known(3, setting("BANDWAGON_RELOCALIZATION_SECONDS", 240));
+  static const KnownBuilding known(3, setting("BANDWAGON_RELOCALIZATION_SECONDS", 120));
   return known;
 }
 
@@ -113,7 +113,7 @@ TEST(Relocalization, OneScanTellsThePlaceOrNothing) {
 TEST(Relocalization, ADriveTellsThePlaceWithinFiveMetres) {
   const KnownBuilding& known = office();
   const test::BuildingDrive drive =
-      test::drive_in(known.building, 77, setting("BANDWAGON_RELOCALIZATION_SECONDS", 240));
+      test::drive_in(known.building, 77, setting("BANDWAGON_RELOCALIZATION_SECONDS", 120));
   Random random(6);
   Tally tally;
   const int places = setting("BANDWAGON_RELOCALIZATIONS", 20);
