@@ -15,7 +15,7 @@ namespace bw::slam::graph {
 inline constexpr double kFarthest = 1e5;          // [m] submaps from each other
 inline constexpr double kFarthestOdometry = 1e7;  // [m]
 inline constexpr double kReachOfSubmap = 500.0;   // [m] walls and scans from the frame of their submap
-inline constexpr std::int64_t kMost = std::int64_t{1} << 62;
+inline constexpr std::int64_t kMaxInteger = std::int64_t{1} << 62;
 inline constexpr double kPi = std::numbers::pi;
 
 // Bytes that one of a list takes at least.
@@ -117,7 +117,7 @@ void fields(Io& io, Field<Io, ScanTracking::State> tracking, double resolution, 
   fields(io, tracking.X_OB, kFarthestOdometry);
   io.real("travel_factor", tracking.travel_factor, 0.0, 10.0);
   io.real("turn_factor", tracking.turn_factor, 0.0, 10.0);
-  io.integer("time", tracking.time.nanoseconds, -kMost, kMost);
+  io.integer("time", tracking.time.nanoseconds, -kMaxInteger, kMaxInteger);
   fields(io, tracking.step_before, kFarthestOdometry);
   fields(io, tracking.odometry_before, kFarthestOdometry);
   io.flag("late", tracking.late);
@@ -129,7 +129,7 @@ void fields(Io& io, Field<Io, ScanTracking::State> tracking, double resolution, 
 
 template <class Io>
 void fields(Io& io, Field<Io, Node> node, const Counts& counts) {
-  io.integer("time", node.time.nanoseconds, -kMost, kMost);
+  io.integer("time", node.time.nanoseconds, -kMaxInteger, kMaxInteger);
   io.index("submap", node.placement.submap, counts.submaps + counts.under_way);
   fields(io, node.placement.X_SB, kReachOfSubmap);
   io.real("share", node.placement.share, 0.0, 1.0);
@@ -153,11 +153,11 @@ void fields(Io& io, Field<Io, Loop> loop, const Counts& counts) {
 
 template <class Io>
 void fields(Io& io, Field<Io, LoopCounts> counts) {
-  io.integer("searched", counts.searched, 0, kMost);
-  io.integer("found", counts.found, 0, kMost);
-  io.integer("accepted", counts.accepted, 0, kMost);
-  io.integer("visited", counts.visited, 0, kMost);
-  io.integer("optimisations", counts.optimisations, 0, kMost);
+  io.integer("searched", counts.searched, 0, kMaxInteger);
+  io.integer("found", counts.found, 0, kMaxInteger);
+  io.integer("accepted", counts.accepted, 0, kMaxInteger);
+  io.integer("visited", counts.visited, 0, kMaxInteger);
+  io.integer("optimisations", counts.optimisations, 0, kMaxInteger);
 }
 
 }  // namespace bw::slam::graph

@@ -4,7 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <span>
+#include <cstdio>
 
 #include <Eigen/Eigenvalues>
 
@@ -324,8 +324,8 @@ void sections(Io& io, graph::Field<Io, SavedGraph> saved) {
   io.section("HEAD", [&] {
     fields(io, slam.options);
     fields(io, saved.X_MW, graph::kFarthest);
-    io.integer("scans", slam.counts.scans, 0, graph::kMost);
-    io.integer("unmatched", slam.counts.unmatched, 0, graph::kMost);
+    io.integer("scans", slam.counts.scans, 0, graph::kMaxInteger);
+    io.integer("unmatched", slam.counts.unmatched, 0, graph::kMaxInteger);
     if constexpr (Io::kReads) {
       io.index("submaps", counts.submaps, kNone);
       io.index("nodes", counts.nodes, kNone);

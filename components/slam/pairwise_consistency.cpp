@@ -30,12 +30,21 @@ UncertainPose along_drive(std::size_t a, std::size_t b, std::span<const Submap> 
   return from_a;
 }
 
-std::size_t apart(std::size_t a, std::size_t b) { return a > b ? a - b : b - a; }
+// Submaps on that way, as far as it matters.
+std::size_t apart(std::size_t a, std::size_t b, std::span<const Submap> submaps) {
+  std::size_t steps = 0;
+  for (; a != b && steps <= kFarApart; ++steps) {
+    std::size_t& later = a > b ? a : b;
+    later = submaps[later].parent(later);
+  }
+  return steps;
+}
 
 }  // namespace
 
 double inconsistency(const Loop& a, const Loop& b, std::span<const Submap> submaps) {
-  if (apart(a.edge.from, b.edge.from) > kFarApart || apart(a.edge.to, b.edge.to) > kFarApart)
+  if (apart(a.edge.from, b.edge.from, submaps) > kFarApart ||
+      apart(a.edge.to, b.edge.to, submaps) > kFarApart)
     return std::numeric_limits<double>::infinity();
   const UncertainPose by_a = a.edge.X * along_drive(a.edge.to, b.edge.to, submaps);
   const UncertainPose by_b = along_drive(a.edge.from, b.edge.from, submaps) * b.edge.X;

@@ -143,6 +143,24 @@ TEST(Relocalization, ADriveTellsThePlaceWithinFiveMetres) {
   EXPECT_GE(tally.right, places - places / 20);
 }
 
+// In another office, whose rooms are much like those of the map: no place is the right answer.
+TEST(Relocalization, FindsNoPlaceInAnotherBuilding) {
+  const KnownBuilding& known = office();
+  const test::BuildingDrive elsewhere =
+      test::drive_in(buildings::make_building(BuildingKind::office, 8), 8, 60.0);
+  const auto tries = static_cast<std::size_t>(setting("BANDWAGON_RELOCALIZATIONS", 20) / 10);
+  for (std::size_t n = 0; n < tries; ++n) {
+    const std::size_t first = n * (elsewhere.scans.size() - 60) / tries;
+    PlaceSearch search(*known.map);
+    for (std::size_t k = first; k < first + 50; ++k) {  // 5 m
+      search.add(elsewhere.scans[k], elsewhere.X_OB[k]);
+      while (search.advance()) {
+      }
+    }
+    EXPECT_FALSE(search.place()) << "from scan " << first;
+  }
+}
+
 // A click that is 0.6 m and 20 degrees off, and one in another room.
 TEST(Relocalization, AGivenPoseIsCorrectedOrRefused) {
   const KnownBuilding& known = office();
