@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include <nav_msgs/msg/occupancy_grid.hpp>
 #include <nav_msgs/msg/odometry.hpp>
 #include <sensor_msgs/msg/laser_scan.hpp>
+#include <slam_toolbox/srv/serialize_pose_graph.hpp>
 #include <tf2_msgs/msg/tf_message.hpp>
 
 #include "components/model/obstacles.hpp"
@@ -35,6 +37,10 @@ class SlamComponent final : public Component {
  private:
   void offer_services(Setup& setup);
   void offer_graph_services(Setup& setup);
+  using SavedReply = Reply<slam_toolbox::srv::SerializePoseGraph>;
+  void save_graph(const std::string& name, const SavedReply& reply);
+  /// Answers when the file that is being written is done.
+  void answer_saving();
   void begin_map();
   /// Goes on with a map that was saved: where the robot is in it is looked for, about X_MB if that is given.
   void continue_map(SavedGraph graph, const std::optional<Pose2>& X_MB);
@@ -72,6 +78,10 @@ class SlamComponent final : public Component {
   std::optional<Pose2> given_X_MO_;  ///< as it follows from that
   std::unique_ptr<PlaceSearch> search_;
   std::string initial_pose_remark_ = "none";
+  // A graph is written by another thread: a disk may take seconds. In lock-step there is none.
+  bool is_lockstep_ = false;
+  std::future<std::filesystem::path> saving_;
+  SavedReply saving_reply_;
   std::deque<sensor_msgs::msg::LaserScan> waiting_;  ///< for odometry of their time
   Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();
   Time map_time_;                ///< of the newest scan in the map

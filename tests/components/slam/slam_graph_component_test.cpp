@@ -62,6 +62,34 @@ Pose2 truth_of(const GraphScript& script, double t) {
   return truth_at(script.begins + t + (t >= 10.0 ? script.carried : 0.0));
 }
 
+/// Odometry each time, a scan every fifth.
+class RoomRobot {
+ public:
+  explicit RoomRobot(Setup& setup)
+      : scan_(setup.output<sensor_msgs::msg::LaserScan>("scan", Qos::sensor())),
+        odom_(setup.output<nav_msgs::msg::Odometry>("odom")),
+        tf_static_(setup.output<tf2_msgs::msg::TFMessage>("/tf_static", Qos::latched())) {}
+
+  void publish(const Tick& tick, const Pose2& X_MB, const Pose2& X_OB) {
+    if (tick.sequence == 0) {
+      tf2_msgs::msg::TFMessage mounts;
+      mounts.transforms().push_back(to_transform("base_link", "laser", tick.now, kMount));
+      tf_static_.publish(mounts);
+    }
+    if (tick.sequence % 5 == 0) scan_.publish(room_scan(X_MB, tick.now, false));
+    nav_msgs::msg::Odometry message;
+    message.header(make_header("odom", tick.now));
+    message.child_frame_id("base_link");
+    message.pose().pose(to_pose(X_OB));
+    odom_.publish(message);
+  }
+
+ private:
+  Output<sensor_msgs::msg::LaserScan> scan_;
+  Output<nav_msgs::msg::Odometry> odom_;
+  Output<tf2_msgs::msg::TFMessage> tf_static_;
+};
+
 GraphSeen drive(const GraphScript& script) {
   GraphSeen seen;
   const std::string yaml =
@@ -86,32 +114,19 @@ GraphSeen drive(const GraphScript& script) {
         Need::optional);
     call_at<SerializePoseGraph>(setup, "slam_toolbox/serialize_map", script.saves, seen.saved);
     call_at<DeserializePoseGraph>(setup, "slam_toolbox/deserialize_map", script.reads, seen.read);
-    setup.every(
-        Duration::milliseconds(20), "robot",
-        [&script, scan = setup.output<sensor_msgs::msg::LaserScan>("scan", Qos::sensor()),
-         odom = setup.output<nav_msgs::msg::Odometry>("odom"),
-         click = setup.output<PoseWithCovarianceStamped>("initialpose"),
-         tf_static = setup.output<tf2_msgs::msg::TFMessage>("/tf_static", Qos::latched())](const Tick& tick) {
-          const double t = seconds_since_start(tick.now);
-          if (tick.sequence == 0) {
-            tf2_msgs::msg::TFMessage mounts;
-            mounts.transforms().push_back(to_transform("base_link", "laser", tick.now, kMount));
-            tf_static.publish(mounts);
-          }
-          if (tick.sequence % 5 == 0) scan.publish(room_scan(truth_of(script, t), tick.now, false));
-          nav_msgs::msg::Odometry message;
-          message.header(make_header("odom", tick.now));
-          message.child_frame_id("base_link");
-          message.pose().pose(to_pose(odometry_at(t)));
-          odom.publish(message);
-          for (const Click& c : script.clicks) {
-            if (std::abs(t - c.seconds) > 0.001) continue;
-            PoseWithCovarianceStamped pose;
-            pose.header(make_header("map", tick.now));
-            pose.pose().pose(to_pose(c.X_MB));
-            click.publish(pose);
-          }
-        });
+    setup.every(Duration::milliseconds(20), "robot",
+                [&script, robot = RoomRobot(setup),
+                 click = setup.output<PoseWithCovarianceStamped>("initialpose")](const Tick& tick) mutable {
+                  const double t = seconds_since_start(tick.now);
+                  robot.publish(tick, truth_of(script, t), odometry_at(t));
+                  for (const Click& c : script.clicks) {
+                    if (std::abs(t - c.seconds) > 0.001) continue;
+                    PoseWithCovarianceStamped pose;
+                    pose.header(make_header("map", tick.now));
+                    pose.pose().pose(to_pose(c.X_MB));
+                    click.publish(pose);
+                  }
+                });
   });
   return seen;
 }
@@ -225,6 +240,39 @@ TEST_F(SlamGraphs, GoesOnAsBeforeWhenAFileCannotBeRead) {
   for (std::size_t k = 0; k < with.poses.size(); ++k)
     ASSERT_EQ(with.poses[k].X_MB, without.poses[k].X_MB) << k;
   EXPECT_EQ(with.maps, without.maps);
+}
+
+// In real time another thread writes, and the answer comes when the file is there.
+TEST(SlamGraphsInRealTime, AreWrittenByAnotherThread) {
+  const bw::test::Folder folder;
+  const auto path = scratch_file("slam_graphs_in_real_time");
+  std::ofstream(path) << "components: {slam: {parameters: {folder: " << (folder / "").string() << "}}}";
+  std::vector<std::uint8_t> results;
+  bool was_there = false;
+  std::vector<ExtraComponent> extra;
+  extra.push_back(
+      {"script", std::make_unique<Script>([&](bw::Setup& setup) {
+         setup.every(Duration::milliseconds(20), "robot",
+                     [&, robot = RoomRobot(setup), finish = setup.finish_run(),
+                      client = setup.client<SerializePoseGraph>("slam_toolbox/serialize_map")](
+                         const Tick& tick) mutable {
+                       const double t = 0.02 * static_cast<double>(tick.sequence);
+                       robot.publish(tick, truth_at(t), odometry_at(t));
+                       if (tick.sequence != 50) return;
+                       client.call(save("room"), Duration::seconds(20.0),
+                                   [&, finish](const SerializePoseGraph::Response* response, const Tick&) {
+                                     if (response != nullptr) results.push_back(response->result());
+                                     was_there = std::filesystem::exists(folder / "room.posegraph");
+                                     finish(true, "saved");
+                                   });
+                     });
+       })});
+  Host host(load_graph(path, {}), {.clock = ClockMode::wall}, std::move(extra));
+  host.run(Duration::seconds(30.0));
+  std::filesystem::remove(path);
+  EXPECT_EQ(results, std::vector<std::uint8_t>{result::RESULT_SUCCESS});
+  EXPECT_TRUE(was_there);
+  EXPECT_GT(slam::read_graph_file(folder / "room.posegraph").slam.nodes.size(), 0U);
 }
 
 // Carried a third of the circle on, unseen by odometry; somebody says where it is, half a metre off.
