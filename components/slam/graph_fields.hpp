@@ -1,4 +1,4 @@
-// The fields of a graph file in their order and with their rules, once for writing and reading (graph_file.md).
+// The fields of a graph file in their order and with their rules, once for both ways (graph_file.md).
 #pragma once
 
 #include <cstdint>

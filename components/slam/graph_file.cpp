@@ -283,7 +283,8 @@ void check_size(const Reader& reader, const SlamState& slam) {
                   "a map may have " + text(kMostCells) + " cells");
 }
 
-// Edges of the drive are those between a submap and its parent, in the order of the submaps: only loops are stored.
+// Edges of the drive are those between a submap and its parent, in the order of the submaps: only loops are
+// stored.
 void edges(Writer& writer, const LoopClosing::State& closing, const Counts& counts) {
   writer.number(static_cast<std::uint32_t>(closing.edges.size()));
   std::size_t loop = 0;

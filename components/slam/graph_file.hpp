@@ -25,9 +25,9 @@ struct GraphReading {
   std::string fault;  ///< why there is none: at which byte, what is there, what must be
 };
 
-/// `bytes` may be anything. Each number is finite and within its range, each index has something to point to, and no
-/// list is longer than the bytes that are left: Slam can go on with what is returned, and graph_bytes() gives the same
-/// bytes. Needs some two times their memory.
+/// `bytes` may be anything. Each number is finite and within its range, each index has something to point
+/// to, and no list is longer than the bytes that are left: Slam can go on with what is returned, and
+/// graph_bytes() gives the same bytes. Needs some two times their memory.
 GraphReading read_graph(std::string_view bytes);
 
 }  // namespace bw::slam

@@ -20,13 +20,14 @@ struct Place {
   double inliers = 0.0;  ///< share of the scan's points that lie on the submap's walls, 0 to 1
 };
 
-/// The best place of a window about X_MB, by the submaps around it; the window's axes are those of each submap. Nothing
-/// where less than 0.6 of the points lie on walls.
+/// The best place of a window about X_MB, by the submaps around it; the window's axes are those of each
+/// submap. Nothing where less than 0.6 of the points lie on walls.
 std::optional<Place> place_near(const Slam& map, std::span<const SurfacePoint> points, const Pose2& X_MB,
                                 const SearchWindow& window);
 
-/// Searches the whole map while the robot stands or drives: its scans make a map of their own, which is looked for in
-/// each submap, within 4 m of where the robot of the map drove. Again after each metre, until one place alone fits.
+/// Searches the whole map while the robot stands or drives: its scans make a map of their own, which is
+/// looked for in each submap, within 4 m of where the robot of the map drove. Again after each metre, until
+/// one place alone fits.
 class PlaceSearch {
  public:
   /// `map` outlives this, has nothing under way and stays as it is.

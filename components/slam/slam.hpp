@@ -52,7 +52,7 @@ class Slam {
   Pose2 pose(const Placement& placement) const;
   /// Covariance of (x, y, theta) of a scan's pose in the map, relative to the first.
   Eigen::Matrix3d covariance(const Tracked& tracked) const;
-  /// Scans of the map, in order of time; those that are there do not move in memory.
+  /// Scans of the map in the order in which they came; those that are there do not move in memory.
   const std::deque<Node>& nodes() const { return *nodes_; }
   const std::vector<Loop>& loops() const { return closing_.loops(); }
   /// Counts up whenever poses of earlier scans moved.

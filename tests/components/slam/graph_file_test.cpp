@@ -43,8 +43,8 @@ std::array<std::uint64_t, 3> bits(const Pose2& X) {
           std::bit_cast<std::uint64_t>(X.theta)};
 }
 
-// Half of a drive through an office, saved, read, and the other half: bit by bit the drive without a break, loops and
-// the map at the end included.
+// Half of a drive through an office, saved, read, and the other half: bit by bit the drive without a break,
+// loops and the map at the end included.
 TEST(GraphFile, GoesOnAsIfThereHadBeenNoBreak) {
   const test::BuildingDrive drive =
       test::drive_in(buildings::make_building(buildings::BuildingKind::office, 2), 4, 160.0);
@@ -72,8 +72,8 @@ TEST(GraphFile, GoesOnAsIfThereHadBeenNoBreak) {
   RecordProperty("bytes", static_cast<int>(saved.size()));
 }
 
-// Two drives through one office: the second begins elsewhere, with odometry of its own, and is told where. Both are one
-// map then, with loops between them. Truth: where it drove.
+// Two drives through one office: the second begins elsewhere, with odometry of its own, and is told where.
+// Both are one map then, with loops between them. Truth: where it drove.
 TEST(GraphFile, ASecondDriveGoesIntoTheSameMap) {
   const buildings::Building building = buildings::make_building(buildings::BuildingKind::office, 2);
   const test::BuildingDrive one = test::drive_in(building, 4, 100.0);

@@ -1,5 +1,5 @@
-// Graph files that were cut and changed: each is refused in words, or is a graph that SLAM goes on with. Nothing crashes,
-// and nothing is allocated from a length that nobody checked.
+// Graph files that were cut and changed: each is refused in words, or is a graph that SLAM goes on with. Nothing
+// crashes, and nothing is allocated from a length that nobody checked.
 //
 //   BANDWAGON_GRAPH_MUTATIONS=1000000 build/asan/bin/test_slam_graph_bad_input       the full count
 #include <algorithm>

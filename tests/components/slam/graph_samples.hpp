@@ -1,4 +1,5 @@
-// A small graph with everything in it, and how a changed one is given right checksums (components/slam/graph_file.md).
+// A small graph with everything in it, and how a changed one is given right checksums
+// (components/slam/graph_file.md).
 #pragma once
 
 #include <cstdint>
@@ -41,7 +42,8 @@ inline void put_at(std::string& bytes, std::size_t at, std::uint64_t value, int 
     bytes[at + static_cast<std::size_t>(i)] = static_cast<char>(value >> (8 * i));
 }
 
-/// With the size of the file in its header and the checksum of each section, by zlib, as far as sections can be told.
+/// With the size of the file in its header and the checksum of each section, by zlib, as far as sections
+/// can be told.
 inline std::string sealed(std::string bytes) {
   if (bytes.size() < 20) return bytes;
   put_at(bytes, 12, bytes.size(), 8);

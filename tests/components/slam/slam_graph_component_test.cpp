@@ -1,5 +1,5 @@
-// A map of a room that is saved, gone on with from another place, and "start from here"; in lock-step. Truth: the circle
-// that the robot drives.
+// A map of a room that is saved, gone on with from another place, and "start from here"; in lock-step.
+// Truth: the circle that the robot drives.
 #include <cmath>
 #include <fstream>
 #include <iterator>
