@@ -32,6 +32,26 @@ struct LoopClosing::Search {
   std::optional<LoopSearch> loops;
 };
 
+LoopClosing::LoopClosing(const SlamOptions& options, const std::deque<Node>& nodes, State state)
+    : options_(options),
+      nodes_(nodes),
+      submaps_(std::move(state.submaps)),
+      X_MS_(std::move(state.X_MS)),
+      edges_(std::move(state.edges)),
+      pending_(std::move(state.pending)),
+      accepted_(std::move(state.accepted)),
+      newest_in_first_(state.newest_in_first),
+      turn_(state.turn),
+      counts_(state.counts) {}
+
+LoopClosing::State LoopClosing::state() const {
+  return {submaps_, X_MS_, edges_, pending_, accepted_, newest_in_first_, turn_, counts_};
+}
+
+UncertainPose LoopClosing::in_first(std::size_t submap) const {
+  return inverse(relative_to(submap, edges_, X_MS_).front());
+}
+
 bool LoopClosing::advance() {
   if (optimisation_) {
     if (optimisation_->step()) return true;
@@ -75,9 +95,10 @@ void LoopClosing::take_up() {
   }
   submap.X_PS.covariance.diagonal() += Eigen::Vector3d{kJointNoise * kJointNoise, kJointNoise * kJointNoise,
                                                        kJointTurnNoise * kJointTurnNoise};
-  edges_.push_back({index - 1, index, submap.X_PS, false});
-  X_MS_.push_back(X_MS_.back() * submap.X_PS.X);
-  newest_in_first_ = newest_in_first_ * submap.X_PS;
+  const std::size_t parent = submap.parent(index);
+  edges_.push_back({parent, index, submap.X_PS, false});
+  X_MS_.push_back(X_MS_[parent] * submap.X_PS.X);
+  newest_in_first_ = submap.found_in ? in_first(index) : newest_in_first_ * submap.X_PS;
   if (options_.do_loop_closing) begin_search();
 }
 
@@ -108,7 +129,8 @@ std::vector<std::size_t> LoopClosing::candidates(const std::vector<UncertainPose
   std::vector<Candidate> near;
   std::vector<Candidate> far;
   const double reach = options_.loop_search_maximum_distance;
-  for (std::size_t j = 0; j + kOverlapping <= later; ++j) {
+  for (std::size_t j = 0; j < later; ++j) {
+    if (overlap(j, later)) continue;
     const double sigma = std::sqrt(others[j].covariance.topLeftCorner<2, 2>().trace());
     const double distance = (others[j].X * submaps_[j].centre - submaps_[later].centre).norm();
     if (distance - 3.0 * sigma > reach) continue;
@@ -129,6 +151,13 @@ std::vector<std::size_t> LoopClosing::candidates(const std::vector<UncertainPose
   for (std::size_t k = 0; k < std::min(far.size(), kMostFar); ++k)
     chosen.push_back(far[turn_++ % far.size()].submap);
   return chosen;
+}
+
+bool LoopClosing::overlap(std::size_t earlier, std::size_t later) const {
+  if (later - earlier >= kOverlapping) return false;
+  for (; later > earlier; --later)
+    if (submaps_[later].found_in) return false;
+  return true;
 }
 
 bool LoopClosing::accept() {

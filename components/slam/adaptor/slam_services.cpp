@@ -1,4 +1,4 @@
-// The services of slam_toolbox. What they do not do is told in the log.
+// The services of slam_toolbox on the map as a grid. What they do not do is told in the log.
 #include <fmt/format.h>
 #include <nav_msgs/srv/get_map.hpp>
 #include <slam_toolbox/srv/pause.hpp>
