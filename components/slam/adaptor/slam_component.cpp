@@ -1,5 +1,7 @@
 #include "components/slam/adaptor/slam_component.hpp"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "components/messages/geometry.hpp"
@@ -8,6 +10,7 @@
 #include "components/messages/obstacles.hpp"
 #include "components/messages/placed.hpp"
 #include "components/model/sweep_motion.hpp"
+#include "components/slam/adaptor/graph_markers.hpp"
 #include "components/slam/leave_out.hpp"
 
 namespace bw::slam {
@@ -40,6 +43,8 @@ void SlamComponent::configure(Setup& setup) {
   tf_ = setup.output<tf2_msgs::msg::TFMessage>("/tf", Qos::tf());
   pose_ = setup.output<geometry_msgs::msg::PoseWithCovarianceStamped>("pose");
   map_.configure(setup);
+  graph_ = setup.output<visualization_msgs::msg::MarkerArray>("slam_toolbox/graph_visualization",
+                                                              Qos::latched());
   setup.input<nav_msgs::msg::Odometry>("odom", Qos::standard(50),
                                        [this](const auto& m, const Tick& tick) { on_odometry(m, tick); });
   setup.input<sensor_msgs::msg::LaserScan>("scan", Qos::sensor(),
@@ -49,7 +54,10 @@ void SlamComponent::configure(Setup& setup) {
       "initialpose", Qos::standard(), [this](const auto& m, const Tick&) { on_initial_pose(m); },
       Need::optional);
   setup.every(Duration::seconds(parameters_.map_update_interval), "map",
-              [this](const Tick&) { publish_map(); });
+              [this](const Tick&) {
+                publish_map();
+                publish_graph();
+              });
   setup.every(Duration::seconds(1.0), "health", [this](const Tick&) { report(); });
   offer_services(setup);
   offer_graph_services(setup);
@@ -207,6 +215,13 @@ void SlamComponent::gather_map() {
   painter_->gather(now, tiles_);
   to_gather_ -= now;
   if (to_gather_ == 0) is_gathering_ = !map_.send(tiles_, map_time_);
+}
+
+void SlamComponent::publish_graph() {
+  const std::array<std::int64_t, 3> now{static_cast<std::int64_t>(slam_->submaps()),
+                                        static_cast<std::int64_t>(slam_->loops().size()), slam_->revision()};
+  if (std::exchange(told_graph_, now) != now)
+    graph_.publish(to_markers(*slam_, X_MW_, map_frame_, map_time_));
 }
 
 void SlamComponent::report() {

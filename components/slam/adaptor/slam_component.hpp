@@ -1,6 +1,7 @@
 // Adaptor: odometry and scans in; pose, map->odom and a map that grows out. Topics: README.md.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <future>
 #include <memory>
@@ -15,6 +16,7 @@
 #include <sensor_msgs/msg/laser_scan.hpp>
 #include <slam_toolbox/srv/serialize_pose_graph.hpp>
 #include <tf2_msgs/msg/tf_message.hpp>
+#include <visualization_msgs/msg/marker_array.hpp>
 
 #include "components/model/obstacles.hpp"
 #include "components/slam/adaptor/map_output.hpp"
@@ -60,6 +62,7 @@ class SlamComponent final : public Component {
   std::vector<Disc> people_at(Time time) const;
   void publish_map();
   void gather_map();
+  void publish_graph();
   void report();
   nav_msgs::msg::OccupancyGrid map_message(Time stamp) const;
 
@@ -91,6 +94,8 @@ class SlamComponent final : public Component {
   std::vector<MapTile> tiles_;  ///< of the map, to be published
   std::size_t to_gather_ = 0;   ///< tiles that are missing among them
   bool is_gathering_ = false;
+  /// What was told of the graph: submaps, loops, and how often it was optimised.
+  std::array<std::int64_t, 3> told_graph_{};
   std::int64_t too_early_ = 0;  ///< scans that odometry did not reach
   std::int64_t told_too_early_ = 0;
   double inliers_ = 0.0;  ///< of the newest scan
@@ -107,6 +112,7 @@ class SlamComponent final : public Component {
   Output<tf2_msgs::msg::TFMessage> tf_;
   Output<geometry_msgs::msg::PoseWithCovarianceStamped> pose_;
   MapOutput map_;
+  Output<visualization_msgs::msg::MarkerArray> graph_;
   Logger log_;
   DiagnosticReporter* diagnostics_ = nullptr;
 };
