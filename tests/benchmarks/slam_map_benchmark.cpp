@@ -67,7 +67,7 @@ void HandleScan(benchmark::State& state) {
     MapRendering map(0.05);
     PublishedMap published(0.05);
     draw_all(map);
-    Slam slam({});
+    Slam slam(SlamOptions{});
     std::vector<MapTile> tiles;
     std::size_t to_gather = 0;
     state.ResumeTiming();

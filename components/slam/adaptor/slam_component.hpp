@@ -26,6 +26,7 @@
 #include "components/slam/odometry_history.hpp"
 #include "components/slam/relocalization.hpp"
 #include "components/slam/slam.hpp"
+#include "components/slam/slam_health.hpp"
 #include "components/slam/slam_parameters.hpp"
 #include "runtime/component.hpp"
 #include "runtime/transforms/sensor_mounts.hpp"
@@ -63,7 +64,7 @@ class SlamComponent final : public Component {
   void publish_map();
   void gather_map();
   void publish_graph();
-  void report();
+  void report(Time now);
   nav_msgs::msg::OccupancyGrid map_message(Time stamp) const;
 
   SlamParameters parameters_;
@@ -99,7 +100,9 @@ class SlamComponent final : public Component {
   std::int64_t too_early_ = 0;  ///< scans that odometry did not reach
   std::int64_t told_too_early_ = 0;
   double inliers_ = 0.0;  ///< of the newest scan
-  bool unseen_ = false;   ///< it does not show where the robot is along one direction
+  HealthWatch watch_;
+  bool is_kidnapped_ = false;    ///< and looks for its place
+  std::optional<Time> carried_;  ///< when that was noticed last
   bool paused_ = false;
 
   std::string map_frame_;

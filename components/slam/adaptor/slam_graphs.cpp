@@ -170,6 +170,8 @@ void SlamComponent::begin_at(const Place& place) {
   search_.reset();
   given_X_MO_.reset();
   looks_for_place_ = false;
+  is_kidnapped_ = false;
+  watch_ = {};
   jumps_ = true;
   slam_->begin_at(place.submap, place.X_SB);
   log_.info("the robot is at {} in the map: {:.0f} % of the scan's points lie on its walls",
