@@ -18,6 +18,9 @@ void Slam::finish() {
   for (const Submap& submap : tracking_.finish(nodes_->size())) closing_.add(submap);
   while (advance()) {
   }
+  closing_.settle();
+  while (advance()) {
+  }
 }
 
 Pose2 Slam::pose(const Placement& placement) const {
