@@ -42,6 +42,26 @@ struct LoopClosing::Search {
   View with_before;  // and the one before: what was seen of a place is often shared by two submaps
 };
 
+LoopClosing::LoopClosing(const SlamOptions& options, const std::deque<Node>& nodes, State state)
+    : options_(options),
+      nodes_(nodes),
+      submaps_(std::move(state.submaps)),
+      X_MS_(std::move(state.X_MS)),
+      edges_(std::move(state.edges)),
+      pending_(std::move(state.pending)),
+      accepted_(std::move(state.accepted)),
+      newest_in_first_(state.newest_in_first),
+      turn_(state.turn),
+      counts_(state.counts) {}
+
+LoopClosing::State LoopClosing::state() const {
+  return {submaps_, X_MS_, edges_, pending_, accepted_, newest_in_first_, turn_, counts_};
+}
+
+UncertainPose LoopClosing::in_first(std::size_t submap) const {
+  return inverse(relative_to(submap, edges_, X_MS_).front());
+}
+
 bool LoopClosing::advance() {
   if (optimisation_) {
     if (optimisation_->step()) return true;
@@ -93,9 +113,10 @@ void LoopClosing::take_up() {
   }
   submap.X_PS.covariance.diagonal() += Eigen::Vector3d{kJointNoise * kJointNoise, kJointNoise * kJointNoise,
                                                        kJointTurnNoise * kJointTurnNoise};
-  edges_.push_back({index - 1, index, submap.X_PS, false});
-  X_MS_.push_back(X_MS_.back() * submap.X_PS.X);
-  newest_in_first_ = newest_in_first_ * submap.X_PS;
+  const std::size_t parent = submap.parent(index);
+  edges_.push_back({parent, index, submap.X_PS, false});
+  X_MS_.push_back(X_MS_[parent] * submap.X_PS.X);
+  newest_in_first_ = submap.found_in ? in_first(index) : newest_in_first_ * submap.X_PS;
   if (options_.do_loop_closing) begin_search();
 }
 
@@ -112,11 +133,12 @@ LoopSearch& LoopClosing::look(View& view, std::size_t before) const {
   if (view.loops) return *view.loops;
   const std::size_t later = submaps_.size() - 1;
   const Submap& submap = submaps_[later];
-  const Submap& first = submaps_[later - before];
   // Frames of the ones before, in the newest; the first scans of a submap were placed in the one before it.
   std::vector<Pose2> X_SK{Pose2{}};
-  for (std::size_t k = later; k > 0 && X_SK.size() <= before + 1; --k)
+  for (std::size_t k = later; k > 0 && !submaps_[k].found_in && X_SK.size() <= before + 1; --k)
     X_SK.push_back(X_SK.back() * inverse(submaps_[k].X_PS.X));
+  before = std::min(before, X_SK.size() - 1);
+  const Submap& first = submaps_[later - before];
   view.walls = submap.surfaces;
   if (before > 0)
     for (const Surface& surface : first.surfaces) view.walls.push_back(moved(surface, X_SK[before]));
@@ -138,7 +160,8 @@ std::vector<std::size_t> LoopClosing::candidates(const std::vector<UncertainPose
   std::vector<Candidate> near;
   std::vector<Candidate> far;
   const double reach = options_.loop_search_maximum_distance;
-  for (std::size_t j = 0; j + kOverlapping <= later; ++j) {
+  for (std::size_t j = 0; j < later; ++j) {
+    if (overlap(j, later)) continue;
     const double sigma = std::sqrt(others[j].covariance.topLeftCorner<2, 2>().trace());
     const double distance = (others[j].X * submaps_[j].centre - submaps_[later].centre).norm();
     if (distance - 3.0 * sigma > reach) continue;
@@ -159,6 +182,13 @@ std::vector<std::size_t> LoopClosing::candidates(const std::vector<UncertainPose
   for (std::size_t k = 0; k < std::min(far.size(), kMostFar); ++k)
     chosen.push_back(far[turn_++ % far.size()].submap);
   return chosen;
+}
+
+bool LoopClosing::overlap(std::size_t earlier, std::size_t later) const {
+  if (later - earlier >= kOverlapping) return false;
+  for (; later > earlier; --later)
+    if (submaps_[later].found_in) return false;
+  return true;
 }
 
 bool LoopClosing::accept() {

@@ -25,6 +25,15 @@ constexpr double kLoopNoise = 0.03;
 constexpr double kLoopTurnNoise = 0.008;
 constexpr double kFree = 3.0;  // [m] along a direction that nothing shows
 
+std::vector<SurfacePoint> points_of(std::span<const Surface> surfaces) {
+  std::vector<SurfacePoint> points;
+  points.reserve(surfaces.size());
+  for (const Surface& s : surfaces) points.push_back(s.point());
+  return points;
+}
+
+}  // namespace
+
 std::vector<Vector2> thinned(std::span<const Surface> surfaces) {
   std::unordered_set<std::int64_t> taken;
   std::vector<Vector2> points;
@@ -35,15 +44,6 @@ std::vector<Vector2> thinned(std::span<const Surface> surfaces) {
   }
   return points;
 }
-
-std::vector<SurfacePoint> points_of(std::span<const Surface> surfaces) {
-  std::vector<SurfacePoint> points;
-  points.reserve(surfaces.size());
-  for (const Surface& s : surfaces) points.push_back(s.point());
-  return points;
-}
-
-}  // namespace
 
 double all_round(std::span<const Surface> surfaces) {
   // Sum of n n^T by doubled angles: trace N, the difference of its eigenvalues the length of the summed vectors.

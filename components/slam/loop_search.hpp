@@ -22,6 +22,9 @@ struct Loop {
   double window = 0.0;  ///< how far it was searched [m]
 };
 
+/// One point of these for each square of 0.2 m: what is searched with.
+std::vector<Vector2> thinned(std::span<const Surface> surfaces);
+
 /// Submap::all_round of these.
 double all_round(std::span<const Surface> surfaces);
 

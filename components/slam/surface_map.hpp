@@ -22,6 +22,7 @@ struct Surface {
   std::int32_t hits = 0;
 
   SurfacePoint point() const { return {x, y, normal_cos2, normal_sin2}; }
+  bool operator==(const Surface&) const = default;
 };
 
 /// A surface of B, in A.
@@ -41,8 +42,30 @@ class SurfaceMap {
   /// [m] spread of the likelihood about a wall, for search
   static constexpr double kSpread = 0.08;
 
+  /// All of it, as values: which surface a cell knows depends on the order in which they came.
+  struct State {
+    struct Own {
+      std::int32_t i = 0;  ///< cell in which the surface was hit
+      std::int32_t j = 0;
+      bool operator==(const Own&) const = default;
+    };
+    struct Near {
+      std::int32_t i = 0;
+      std::int32_t j = 0;
+      std::int32_t surface = 0;
+      float squared = 0.0F;  ///< [m^2]
+      bool operator==(const Near&) const = default;
+    };
+    std::vector<Surface> surfaces;
+    std::vector<Own> own;    ///< of each surface
+    std::vector<Near> near;  ///< cells that know a surface, in the order of TiledGrid
+    bool operator==(const State&) const = default;
+  };
+
   explicit SurfaceMap(double resolution);
   SurfaceMap(double resolution, std::span<const Surface> surfaces);
+  SurfaceMap(double resolution, const State& state);
+  State state() const;
 
   void insert(std::span<const SurfacePoint> points, const Pose2& X_SB);
 
