@@ -119,18 +119,19 @@ const char* advice_for(SweepFault fault) {
 
 class Replay {
  public:
-  Replay(const RecordedDrive& drive, const SlamOptions& options, const SlamClock& clock)
-      : drive_(drive), options_(options), clock_(clock), odometry_(drive.odometry), result_(options) {}
+  Replay(const RecordedDrive& drive, const SlamOptions& options, const ReplayHooks& hooks)
+      : drive_(drive), options_(options), hooks_(hooks), odometry_(drive.odometry), result_(options) {}
 
   void add(const ScanSample& sample) {
     const double before = now();
     const std::optional<Tracked> tracked = track(sample);
     if (!tracked) return;
-    if (clock_) result_.scan_times.push_back(now() - before);
+    if (hooks_.clock) result_.scan_times.push_back(now() - before);
     work_on_loops();
     ReplayedScan& scan = result_.scans.back();
     scan.told = result_.slam.pose(tracked->placement);
     scan.covariance = result_.slam.covariance(*tracked);
+    if (hooks_.after_scan) hooks_.after_scan(result_);
   }
 
   SlamReplay finish() {
@@ -140,7 +141,7 @@ class Replay {
   }
 
  private:
-  double now() const { return clock_ ? clock_() : 0.0; }
+  double now() const { return hooks_.clock ? hooks_.clock() : 0.0; }
 
   std::optional<Tracked> track(const ScanSample& sample) {
     LaserSweep sweep;
@@ -187,13 +188,13 @@ class Replay {
     for (bool more = true; more;) {
       const double before = now();
       more = result_.slam.advance();
-      if (clock_ && more) result_.piece_times.push_back(now() - before);
+      if (hooks_.clock && more) result_.piece_times.push_back(now() - before);
     }
   }
 
   const RecordedDrive& drive_;
   const SlamOptions& options_;
-  const SlamClock& clock_;
+  const ReplayHooks& hooks_;
   OdometryAt odometry_;
   Dropped dropped_;
   SlamReplay result_;
@@ -201,13 +202,12 @@ class Replay {
 
 }  // namespace
 
-SlamReplay replay(const RecordedDrive& drive, const SlamOptions& options, const SlamProgress& progress,
-                  const SlamClock& clock) {
+SlamReplay replay(const RecordedDrive& drive, const SlamOptions& options, const ReplayHooks& hooks) {
   if (drive.scans.empty()) throw std::runtime_error("the drive has no laser scans");
   if (drive.odometry.empty()) throw std::runtime_error("the drive has no odometry");
-  Replay replayed(drive, options, clock);
+  Replay replayed(drive, options, hooks);
   for (std::size_t n = 0; n < drive.scans.size(); ++n) {
-    if (progress && !progress(n, drive.scans.size())) break;
+    if (hooks.progress && !hooks.progress(n, drive.scans.size())) break;
     replayed.add(drive.scans[n]);
   }
   return replayed.finish();

@@ -45,6 +45,8 @@ class Slam {
   const LoopCounts& loop_counts() const { return closing_.counts(); }
   const OdometryTrust& trust() const { return tracking_.trust(); }
   std::size_t submaps() const { return closing_.X_MS().size(); }
+  /// Submaps and their poses, to which loops refer.
+  const LoopClosing& loop_closing() const { return closing_; }
 
  private:
   ScanTracking tracking_;

@@ -145,7 +145,7 @@ TEST(DriveReplay, TakesMountsOneUponTheOther) {
 // A clock that counts how often it is read: each scan and each piece of work takes one.
 TEST(DriveReplay, TimesItsWorkByTheClockThatIsGiven) {
   double reads = 0.0;
-  const SlamReplay replayed = replay(straight_drive(), {}, {}, [&reads] { return reads++; });
+  const SlamReplay replayed = replay(straight_drive(), {}, {.clock = [&reads] { return reads++; }});
   EXPECT_EQ(replayed.scan_times, std::vector<double>(60, 1.0));
   ASSERT_FALSE(replayed.piece_times.empty()) << "a submap is finished after 4 m";
   EXPECT_EQ(replayed.piece_times, std::vector<double>(replayed.piece_times.size(), 1.0));
@@ -153,12 +153,16 @@ TEST(DriveReplay, TimesItsWorkByTheClockThatIsGiven) {
 
 TEST(DriveReplay, EndsWhereItsCallerSays) {
   std::size_t last = 0;
-  const SlamReplay replayed = replay(straight_drive(), {}, [&](std::size_t done, std::size_t of) {
+  std::size_t told = 0;
+  const auto progress = [&](std::size_t done, std::size_t of) {
     EXPECT_EQ(of, 60U);
     last = done;
     return done < 20;
-  });
+  };
+  const auto after = [&](const SlamReplay& so_far) { EXPECT_EQ(so_far.scans.size(), ++told); };
+  const SlamReplay replayed = replay(straight_drive(), {}, {.progress = progress, .after_scan = after});
   EXPECT_EQ(last, 20U);
+  EXPECT_EQ(told, 20U);
   EXPECT_EQ(replayed.scans.size(), 20U);
 }
 

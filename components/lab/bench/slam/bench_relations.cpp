@@ -29,7 +29,7 @@ BagDrive read_drive(const BenchRelationsArguments& arguments) {
 }
 
 std::string row(const char* name, const PublishedErrors& e) {
-  return fmt::format("  {:<36}{:.4f} +- {:.4f} m   {:.3f} +- {:.3f} deg\n", name, e.translation,
+  return fmt::format("  {:<42}{:.4f} +- {:.4f} m   {:.3f} +- {:.3f} deg\n", name, e.translation,
                      e.translation_deviation, e.rotation, e.rotation_deviation);
 }
 
@@ -42,6 +42,9 @@ std::string text_of(const RelationsRun& run) {
                                  run.seconds, run.at_the_end.relations, run.relations);
   for (const std::string& sentence : run.left_out) text += "  " + sentence + "\n";
   text += row("after the last optimisation", in_degrees(run.at_the_end));
+  if (run.of_scans.relations < run.at_the_end.relations)
+    text += row(fmt::format("{} of them between scans that are used", run.of_scans.relations).c_str(),
+                in_degrees(run.of_scans));
   text += row("as told at the time", in_degrees(run.at_the_time));
   text += row("odometry alone", in_degrees(run.odometry));
   if (const auto published = cartographer_on(run.log))
@@ -74,6 +77,8 @@ ordered_json json_of(const RelationsRun& run, const BenchRelationsArguments& arg
           {"every", arguments.every},
           {"view_deg", arguments.view ? ordered_json(*arguments.view) : ordered_json()},
           {"at_the_end", to_json(in_degrees(run.at_the_end))},
+          {"relations_of_scans", run.of_scans.relations},
+          {"of_scans", to_json(in_degrees(run.of_scans))},
           {"at_the_time", to_json(in_degrees(run.at_the_time))},
           {"odometry", to_json(in_degrees(run.odometry))},
           {"cartographer", published ? to_json(*published) : ordered_json()},
@@ -112,7 +117,7 @@ RelationsRun run_relations(const BenchRelationsArguments& arguments) {
   if (arguments.view) slam::narrow_view(drive, *arguments.view * kDegree);
 
   const double before_ms = thread_cpu_ms();
-  const slam::SlamReplay replayed = slam::replay(drive, options, {}, thread_cpu_ms);
+  const slam::SlamReplay replayed = slam::replay(drive, options, {.clock = thread_cpu_ms});
   const double cpu_ms = thread_cpu_ms() - before_ms;
   const auto errors = [&](slam::Told told) {
     const slam::Trajectory trajectory(replayed, drive.odometry, told);
@@ -125,6 +130,9 @@ RelationsRun run_relations(const BenchRelationsArguments& arguments) {
   if (run.scans > 0) run.seconds = (drive.scans.back().time - drive.scans.front().time).to_seconds();
   run.relations = relations.size();
   run.at_the_end = errors(slam::Told::at_the_end);
+  const slam::Trajectory last(replayed, drive.odometry, slam::Told::at_the_end);
+  run.of_scans =
+      slam::errors_of(relations, [&](Time stamp) { return last.of_scan(stamp - (bag.start - Time{})); });
   run.at_the_time = errors(slam::Told::at_the_time);
   run.odometry = errors(slam::Told::by_odometry);
   run.loops = replayed.slam.loop_counts();

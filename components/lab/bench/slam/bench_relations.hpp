@@ -39,6 +39,7 @@ struct RelationsRun {
   double seconds = 0.0;              ///< from its first scan to its last
   std::size_t relations = 0;         ///< in the file
   slam::RelationErrors at_the_end;   ///< the trajectory after the last optimisation
+  slam::RelationErrors of_scans;     ///< the same, of relations between scans that were used alone
   slam::RelationErrors at_the_time;  ///< poses as they were told
   slam::RelationErrors odometry;     ///< of the odometry alone
   slam::LoopCounts loops;

@@ -9,6 +9,8 @@ namespace {
 
 Duration apart(Time a, Time b) { return a < b ? b - a : a - b; }
 
+double share(Time from, Time time, Time to) { return (time - from).to_seconds() / (to - from).to_seconds(); }
+
 /// Index of the element whose time is nearest; the list is not empty.
 template <class Sample>
 std::size_t nearest(const std::vector<Sample>& samples, Time time) {
@@ -41,12 +43,23 @@ Trajectory::Trajectory(const SlamReplay& replayed, const std::vector<OdometrySam
 
 std::optional<Pose2> Trajectory::at(Time time) const {
   if (poses_.empty()) return std::nullopt;
-  const std::size_t k = nearest(replayed_.scans, time);
-  const Duration distance = apart(replayed_.scans[k].time, time);
-  if (distance <= kSameStamp) return poses_[k];
+  const std::vector<ReplayedScan>& scans = replayed_.scans;
+  if (const std::optional<Pose2> pose = of_scan(time)) return pose;
+  const std::size_t k = nearest(scans, time);
+  const Duration distance = apart(scans[k].time, time);
+  const std::size_t next = scans[k].time < time ? k + 1 : k;
+  if (next > 0 && next < scans.size() && scans[next].time - scans[next - 1].time <= kShortGap)
+    return pose_between(poses_[next - 1], poses_[next], share(scans[next - 1].time, time, scans[next].time));
   const std::optional<Pose2> X_OB = odometry_at(time);
   if (!X_OB || distance > kFarthest) return std::nullopt;
-  return poses_[k] * (inverse(replayed_.scans[k].X_OB) * *X_OB);
+  return poses_[k] * (inverse(scans[k].X_OB) * *X_OB);
+}
+
+std::optional<Pose2> Trajectory::of_scan(Time time) const {
+  if (poses_.empty()) return std::nullopt;
+  const std::size_t k = nearest(replayed_.scans, time);
+  if (apart(replayed_.scans[k].time, time) > kSameStamp) return std::nullopt;
+  return poses_[k];
 }
 
 std::optional<Pose2> Trajectory::odometry_at(Time time) const {
@@ -57,8 +70,8 @@ std::optional<Pose2> Trajectory::odometry_at(Time time) const {
   if (after == 0 || after == odometry_.size()) return std::nullopt;
   const OdometrySample& a = odometry_[after - 1];
   const OdometrySample& b = odometry_[after];
-  if (b.time - a.time > Duration::milliseconds(1000)) return std::nullopt;
-  return pose_between(a.X_OB, b.X_OB, (time - a.time).to_seconds() / (b.time - a.time).to_seconds());
+  if (b.time - a.time > kShortGap) return std::nullopt;
+  return pose_between(a.X_OB, b.X_OB, share(a.time, time, b.time));
 }
 
 }  // namespace bw::slam

@@ -136,20 +136,23 @@ TEST(WorkTimes, QuantileIsTheLeastThatTheShareDoesNotExceed) {
   EXPECT_EQ(quantile({}, 0.5), 0.0);
 }
 
-// Scans at 0 and 2 s, odometry each second: at 0.00001 s the scan's own pose, at 1 s the first scan's and odometry's
-// metre from there, at 2.5 s nothing is known.
-TEST(Trajectory, GoesOnByOdometryFromTheNearestScan) {
+// Scans at 0, 2 and 2.5 s, odometry each second: at 0.00001 s the scan's own pose; at 1 s the first scan's and odometry's
+// metre from there; between the last two, whose headings differ by a quarter, half way on an arc; then nothing.
+TEST(Trajectory, IsThatOfTheScansAndBetweenThem) {
+  const double quarter = 0.5 * std::numbers::pi;
   SlamReplay replayed{SlamOptions{}};
-  replayed.scans = {
-      {.time = Time::seconds(0), .told = {5.0, 0.0, 0.5 * std::numbers::pi}, .X_OB = {}},
-      {.time = Time::seconds(2), .told = {5.0, 2.5, 0.5 * std::numbers::pi}, .X_OB = {2.0, 0.0, 0.0}}};
+  replayed.scans = {{.time = Time::seconds(0), .told = {5.0, 0.0, quarter}, .X_OB = {}},
+                    {.time = Time::seconds(2), .told = {5.0, 2.5, quarter}, .X_OB = {2.0, 0.0, 0.0}},
+                    {.time = Time::seconds(2.5), .told = {4.0, 3.5, 2.0 * quarter}, .X_OB = {3.0, 0.0, 0.0}}};
   std::vector<OdometrySample> odometry;
   for (int i = 0; i < 3; ++i) odometry.push_back({Time::seconds(i), {1.0 * i, 0.0, 0.0}, {}});
   const Trajectory trajectory(replayed, odometry, Told::at_the_time);
   EXPECT_EQ(*trajectory.at(Time::seconds(0.00001)), replayed.scans[0].told);
   EXPECT_NEAR(trajectory.at(Time::seconds(1.0))->y, 1.0, 1e-12);
   EXPECT_NEAR(trajectory.at(Time::seconds(1.5))->y, 2.0, 1e-12);
-  EXPECT_FALSE(trajectory.at(Time::seconds(2.5)));
+  EXPECT_NEAR(trajectory.at(Time::seconds(2.25))->theta, 1.5 * quarter, 1e-12);
+  EXPECT_NEAR(trajectory.at(Time::seconds(2.25))->x, 4.0 + std::sqrt(0.5), 1e-12);
+  EXPECT_FALSE(trajectory.at(Time::seconds(2.6)));
 }
 
 BenchRelationsArguments recorded(const std::filesystem::path& shared, const std::string& log) {
