@@ -9,6 +9,7 @@
 #include "components/lab/bench/bench_people.hpp"
 #include "components/lab/bench/scaling.hpp"
 #include "components/lab/bench/slam/bench_relations.hpp"
+#include "components/lab/bench/slam/bench_slam.hpp"
 #include "components/lab/report/report_page.hpp"
 #include "runtime/cli/verb.hpp"
 #include "runtime/parameters/overrides.hpp"
@@ -233,6 +234,38 @@ void add_relations(cli::Verb bench) {
   verb.run([relations] { return bench_relations(*relations); });
 }
 
+void add_slam(cli::Verb bench) {
+  auto slam = std::make_shared<BenchSlamArguments>();
+  cli::Verb verb = bench.verb("slam", "SLAM in simulated buildings, scored by the exact truth");
+  verb.option_function(
+          "--kind",
+          [slam](const std::string& name) {
+            slam->kinds.clear();
+            for (const buildings::BuildingKind kind : buildings::kBuildingKinds) {
+              if (name == "all" || name == buildings::to_text(kind)) slam->kinds.push_back(kind);
+            }
+          },
+          "office (default), corridors, loop, pillars, warehouse, or all")
+      .one_of({"office", "corridors", "loop", "pillars", "warehouse", "all"});
+  verb.option("--seeds", slam->seeds, "Buildings of each kind (1)").within(1, 10000);
+  verb.option("--first", slam->first, "Seed of the first (1)");
+  verb.option("--walkers", slam->drive.walkers, "People who walk about (0)").within(0, 1000);
+  verb.option_function(
+          "--base",
+          [slam](const std::string& name) {
+            for (const auto base : {buildings::DrivenBase::kobuki, buildings::DrivenBase::qbot2e,
+                                    buildings::DrivenBase::eddie}) {
+              if (name == buildings::to_text(base)) slam->drive.base = base;
+            }
+          },
+          "kobuki (default), qbot2e or eddie: wheels that err as the emulated ones do")
+      .one_of({"kobuki", "qbot2e", "eddie"});
+  verb.flag("--calibrated", slam->calibrated, "Wheels as `bandwagon calibrate` may leave them");
+  verb.option("--set", slam->set, "slam.parameter=value, as often as needed").one_each_time();
+  verb.option("--json", slam->json, "Writes the figures here");
+  verb.run([slam] { return bench_slam(*slam); });
+}
+
 void add_bench(cli::Verb bench) {
   add_teb(bench);
   add_crowd(bench);
@@ -242,6 +275,7 @@ void add_bench(cli::Verb bench) {
   add_people(bench);
   add_course(bench);
   add_relations(bench);
+  add_slam(bench);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // The metric by poses whose errors are known; files of relations; the two recorded runs.
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -18,6 +19,7 @@
 #include "components/lab/bench/slam/relations_file.hpp"
 #include "components/lab/bench/slam/trajectory.hpp"
 #include "components/lab/bench/slam/work_times.hpp"
+#include "components/recordings/files/imported_drive.hpp"
 
 namespace bw::slam {
 namespace {
@@ -163,7 +165,7 @@ BenchRelationsArguments recorded(const std::filesystem::path& shared, const std:
 }
 
 // Counts and the errors of the odometry alone are those of the data's own description (1.68 m, 5.07 degrees). SLAM:
-// below Cartographer's .0319 m and .369 degrees.
+// measured, 0.0283 m and 0.352 degrees, below Cartographer's .0319 m and .369 degrees.
 TEST(RecordedRelations, MitCsail) {
   const char* shared = std::getenv("BANDWAGON_SHARED");
   if (shared == nullptr) GTEST_SKIP() << "BANDWAGON_SHARED names no folder of recorded data";
@@ -171,11 +173,60 @@ TEST(RecordedRelations, MitCsail) {
   EXPECT_EQ(run.log, "mit_csail");
   EXPECT_EQ(run.scans, 1988U);
   EXPECT_EQ(run.at_the_end.relations, 1172U);
+  EXPECT_EQ(run.of_scans.relations, 1172U);
   EXPECT_NEAR(run.odometry.translation, 1.68, 0.01);
   EXPECT_NEAR(run.odometry.rotation / kDegree, 5.07, 0.01);
+  EXPECT_NEAR(run.at_the_end.translation, 0.0285, 0.002);
+  EXPECT_NEAR(run.at_the_end.rotation / kDegree, 0.36, 0.02);
   EXPECT_LT(run.at_the_end.translation, cartographer_on("mit_csail")->translation);
   EXPECT_LT(run.at_the_end.rotation / kDegree, cartographer_on("mit_csail")->rotation);
-  EXPECT_LT(run.at_the_time.translation, 0.2) << "as told, before loops are closed";
+  EXPECT_LT(run.at_the_time.translation, 0.04) << "as told";
+}
+
+// SLAM on it takes too long for a test. Scans of 180 and 181 beams, the scanner 0.22 m ahead; odometry alone, by the
+// data's own description, 0.615 m and 0.64 degrees.
+TEST(RecordedRelations, FreiburgHospitalIsReadWhole) {
+  const char* shared = std::getenv("BANDWAGON_SHARED");
+  if (shared == nullptr) GTEST_SKIP() << "BANDWAGON_SHARED names no folder of recorded data";
+  const BenchRelationsArguments files = recorded(shared, "freiburg_hospital");
+  const BagDrive read = import_drive(files.columns, {files.bag});
+  ASSERT_EQ(read.drive.scans.size(), 6917U);
+  std::size_t beams_180 = 0;
+  for (const ScanSample& scan : read.drive.scans) {
+    const bool has_180 = scan.ranges.size() == 180;
+    beams_180 += has_180 ? 1 : 0;
+    ASSERT_NEAR(scan.geometry.angle_min, (has_180 ? -89.5 : -90.0) * kDegree, 1e-6);
+    ASSERT_NEAR(scan.geometry.angle_max, (has_180 ? 89.5 : 90.0) * kDegree, 1e-5);
+  }
+  EXPECT_EQ(beams_180, 5169U);
+  ASSERT_EQ(read.drive.mounts.size(), 1U);
+  EXPECT_EQ(read.drive.mounts[0].translation.x(), 0.22);
+  const auto relations = read_relations(files.relations);
+  EXPECT_EQ(relations.size(), 2820U);
+  const RelationErrors errors = errors_of(relations, [&](Time stamp) -> std::optional<Pose2> {
+    const Time time = stamp - (read.start - Time{});
+    const auto found = std::ranges::lower_bound(read.drive.odometry, time, {}, &OdometrySample::time);
+    if (found == read.drive.odometry.end() || found->time != time) return std::nullopt;
+    return found->X_OB;
+  });
+  EXPECT_EQ(errors.relations, 2820U);
+  EXPECT_NEAR(errors.translation, 0.615, 0.001);
+  EXPECT_NEAR(errors.rotation / kDegree, 0.64, 0.005);
+}
+
+// What is missing or wrong is named.
+TEST(BenchRelations, RefusesWhatItCannotUse) {
+  const auto refusal = [](const BenchRelationsArguments& arguments) -> std::string {
+    try {
+      run_relations(arguments);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(refusal({.bag = "/no.mcap", .relations = "/no.relations"}),
+              HasSubstr("/no.relations: cannot be read"));
+  EXPECT_THAT(refusal({.set = {"slam.resolutio=0.1"}}), HasSubstr("did you mean 'resolution'"));
 }
 
 }  // namespace
