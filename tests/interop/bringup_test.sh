@@ -57,8 +57,8 @@ answers() { # answers WORDS COMMAND...
   "$program" "${@:2}" >"$folder/answer" 2>&1 || fail "status $? of ${*:2}: $(cat "$folder/answer")"
   grep -q -- "$1" "$folder/answer" || fail "'${*:2}' does not say '$1': $(cat "$folder/answer")"
 }
-answers 'is_latched: false' topic echo /base_state --once --for 5
-answers 'child_frame_id: base_link' topic echo /odom --once --for 5
+answers 'is_latched: false' topic echo /base_state --once --for 30
+answers 'child_frame_id: base_link' topic echo /odom --once --for 30
 answers 'success: true' service call /release_stop
 answers 'real-time\|memory' doctor --ports
 kill -TERM "$running"
