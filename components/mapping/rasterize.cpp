@@ -14,8 +14,9 @@ int clamped_cell(double value, double origin, double resolution, int count) {
       std::clamp(std::floor((value - origin) / resolution), -1.0, static_cast<double>(count)));
 }
 
-// [m] a corner on the line between two rows falls into one by a division, and the line itself comes of a product: by as
-// much as they may differ, a row is taken to be higher. Else a wall along such a line would be in no row at all.
+// [m] a corner on the line between two rows falls into one by a division, and the line itself comes of a
+// product: by as much as they may differ, a row is taken to be higher. Else a wall along such a line would be
+// in no row at all.
 constexpr double kRounding = 1e-9;
 
 struct Interval {

@@ -26,7 +26,8 @@ struct SlamReplay {
   std::vector<ReplayedScan> scans;
   std::vector<std::string>
       left_out;  ///< sentences: what of the drive was not used, how often, and what to do
-  /// By the clock that was given, in its unit: of each scan, from its ranges to its pose; of each piece of work on loops.
+  /// By the clock that was given, in its unit: of each scan, from its ranges to its pose; of each piece of
+  /// work on loops.
   std::vector<double> scan_times;
   std::vector<double> piece_times;
 
@@ -34,7 +35,8 @@ struct SlamReplay {
   Pose2 pose(std::size_t scan) const { return slam.pose(scans[scan].placement); }
 };
 
-/// Called before each scan: how many are done, of how many. False ends the replay there, as if the drive ended.
+/// Called before each scan: how many are done, of how many. False ends the replay there, as if the drive
+/// ended.
 using SlamProgress = std::function<bool(std::size_t, std::size_t)>;
 
 struct ReplayHooks {
@@ -45,8 +47,8 @@ struct ReplayHooks {
   std::function<void(const SlamReplay&)> after_scan;
 };
 
-/// Scans whose time odometry covers; each beam at its time (sweep_motion.hpp). Where a scanner sits on base_link (or
-/// on base_footprint, if there is none) is told by the drive's mounts, one upon the other.
+/// Scans whose time odometry covers; each beam at its time (sweep_motion.hpp). Where a scanner sits on
+/// base_link (or on base_footprint, if there is none) is told by the drive's mounts, one upon the other.
 /// Throws std::runtime_error where the drive has no scans or no odometry.
 SlamReplay replay(const RecordedDrive& drive, const SlamOptions& options, const ReplayHooks& hooks = {});
 

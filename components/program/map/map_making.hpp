@@ -43,8 +43,8 @@ struct MadeMap {
   bool is_whole = true;               ///< false: `progress` ended it
 };
 
-/// Of any bag with scans and odometry. `path` is for messages. Throws std::runtime_error naming it: no scans, no
-/// odometry, a topic that is not there or that has to be chosen, with the topics that there are.
+/// Of any bag with scans and odometry. `path` is for messages. Throws std::runtime_error naming it: no scans,
+/// no odometry, a topic that is not there or that has to be chosen, with the topics that there are.
 MadeMap make_map(const bag::Bag& recording, const std::string& path, const MapMakingOptions& options,
                  const slam::SlamProgress& progress = {});
 

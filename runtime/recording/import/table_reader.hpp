@@ -46,8 +46,8 @@ class TableError : public std::runtime_error {
 /// Cells of a separated table may stand in double quotes, and lose blanks around them.
 class TableReader {
  public:
-  /// The file may be compressed by gzip (text_input.hpp). Throws std::runtime_error naming it when it cannot be
-  /// read, TableError when the header is missing.
+  /// The file may be compressed by gzip (text_input.hpp). Throws std::runtime_error naming it when it cannot
+  /// be read, TableError when the header is missing.
   TableReader(const std::filesystem::path& file, const TableFormat& format);
 
   /// False at the end. Throws TableError for a line longer than a mebibyte and a quote that does not end.

@@ -53,8 +53,8 @@ TEST(Rasterize, DrawsAxisParallelSegmentsAndPoints) {
   EXPECT_EQ(grid.at(0, 8), OccupancyGrid::kOccupied);
 }
 
-// 0.05 is no binary fraction: the line between two rows and the row that a wall along it falls into are rounded apart, and
-// walls along some of these lines were in no row.
+// 0.05 is no binary fraction: the line between two rows and the row that a wall along it falls into are
+// rounded apart, and walls along some of these lines were in no row.
 TEST(Rasterize, DrawsWallsAlongTheLinesBetweenCells) {
   for (int line = -100; line <= 100; ++line) {
     OccupancyGrid grid = test::empty_grid(20, 210, 0.05, {0.0, 0.05 * -102.0});

@@ -126,7 +126,8 @@ TEST(DriveReplay, TakesTheScannersMount) {
   EXPECT_LT(difference(X_BL, {0.3, 0.1, 0.5 * std::numbers::pi}).norm(), 1e-12);
 }
 
-// base_footprint -> base_link -> plate, turned by a quarter and 0.2 m ahead -> laser, 0.1 m ahead of the plate.
+// base_footprint -> base_link -> plate, turned by a quarter and 0.2 m ahead -> laser, 0.1 m ahead of the
+// plate.
 TEST(DriveReplay, TakesMountsOneUponTheOther) {
   RecordedDrive drive = straight_drive(1);
   const double half = std::sqrt(0.5);

@@ -23,8 +23,8 @@ struct BenchRelationsArguments {
   std::string json;              ///< output file; empty: none
 };
 
-/// Mean and standard deviation [m, deg] that Hess et al. 2016, "Real-time loop closure in 2D LIDAR SLAM", tables II and
-/// III, give for Cartographer. Nothing for logs that are not in the project's hands.
+/// Mean and standard deviation [m, deg] that Hess et al. 2016, "Real-time loop closure in 2D LIDAR SLAM",
+/// tables II and III, give for Cartographer. Nothing for logs that are not in the project's hands.
 struct PublishedErrors {
   double translation = 0.0;
   double translation_deviation = 0.0;
@@ -55,7 +55,8 @@ struct RelationsRun {
 /// Throws std::runtime_error: unusable files, options, a drive without scans or odometry.
 RelationsRun run_relations(const BenchRelationsArguments& arguments);
 
-/// Prints figures, writes JSON. Returns the exit status: 1 where no relation could be used. Throws as run_relations.
+/// Prints figures, writes JSON. Returns the exit status: 1 where no relation could be used. Throws as
+/// run_relations.
 int bench_relations(const BenchRelationsArguments& arguments);
 
 }  // namespace bw

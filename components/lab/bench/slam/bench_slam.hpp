@@ -42,8 +42,8 @@ struct SlamDrive {
 SlamDrive drive_slam(const buildings::Building& building, const buildings::BuildingDriveOptions& options,
                      const slam::SlamOptions& slam);
 
-/// Prints a line for each drive and sums up each kind, writes JSON. Returns the exit status (0). Throws ConfigError for
-/// `set`.
+/// Prints a line for each drive and sums up each kind, writes JSON. Returns the exit status (0). Throws
+/// ConfigError for `set`.
 int bench_slam(const BenchSlamArguments& arguments);
 
 }  // namespace bw

@@ -14,7 +14,8 @@ bool is_occupied_around(const OccupancyGrid& grid, const Vector2& place) {
   return false;
 }
 
-/// Occupied cells of `grid`, and those of them that `other` has too; X: the frame of `grid` in that of `other`.
+/// Occupied cells of `grid`, and those of them that `other` has too; X: the frame of `grid` in that of
+/// `other`.
 void compare(const OccupancyGrid& grid, const OccupancyGrid& other, const Pose2& X, std::size_t& all,
              std::size_t& matched) {
   for (int row = 0; row < grid.height; ++row) {

@@ -25,8 +25,8 @@ struct MapScore {
   }
 };
 
-/// X_TM: the frame of `made` in that of `truth`. Within one cell: the cell that a centre lies in, or one of the eight
-/// around it.
+/// X_TM: the frame of `made` in that of `truth`. Within one cell: the cell that a centre lies in, or one of
+/// the eight around it.
 MapScore score_map(const OccupancyGrid& made, const OccupancyGrid& truth, const Pose2& X_TM);
 
 }  // namespace bw::slam

@@ -1,6 +1,6 @@
-// Errors of a trajectory by relations between its poses: Kümmerle, Steder, Dornhege, Ruhnke, Grisetti, Stachniss,
-// Kleiner, "On measuring the accuracy of SLAM algorithms", Autonomous Robots 27, 2009. No frame is shared with a truth,
-// and an error early in the drive counts once.
+// Errors of a trajectory by relations between its poses: Kümmerle, Steder, Dornhege, Ruhnke, Grisetti,
+// Stachniss, Kleiner, "On measuring the accuracy of SLAM algorithms", Autonomous Robots 27, 2009. No frame is
+// shared with a truth, and an error early in the drive counts once.
 #pragma once
 
 #include <cstddef>

@@ -19,9 +19,9 @@ class Trajectory {
   /// Of both, which outlive this.
   Trajectory(const SlamReplay& replayed, const std::vector<OdometrySample>& odometry, Told told);
 
-  /// Of the scan at `time`, if there is one within kSameStamp; else between two scans that are no longer apart than
-  /// kShortGap; else from the nearest one on by odometry. Nothing where that is farther than kFarthest, or odometry
-  /// does not know both.
+  /// Of the scan at `time`, if there is one within kSameStamp; else between two scans that are no longer
+  /// apart than kShortGap; else from the nearest one on by odometry. Nothing where that is farther than
+  /// kFarthest, or odometry does not know both.
   std::optional<Pose2> at(Time time) const;
   /// Of the scan at `time` alone.
   std::optional<Pose2> of_scan(Time time) const;

@@ -1,5 +1,5 @@
-// A replayed drive beside the exact truth: trajectory, loops, places that were come back to, and how sure the poses
-// said they were.
+// A replayed drive beside the exact truth: trajectory, loops, places that were come back to, and how sure the
+// poses said they were.
 #pragma once
 
 #include <cstddef>
@@ -22,8 +22,8 @@ class TruthOfScans {
   const RecordedDrive& drive_;
 };
 
-/// Absolute trajectory error: positions after the last optimisation, laid over the true ones by the rotation and the
-/// shift that fit best (Umeyama 1991).
+/// Absolute trajectory error: positions after the last optimisation, laid over the true ones by the rotation
+/// and the shift that fit best (Umeyama 1991).
 struct TrajectoryError {
   double rms = 0.0;      ///< [m]
   double largest = 0.0;  ///< [m]
@@ -39,8 +39,8 @@ struct LoopFaults {
 };
 LoopFaults loop_faults(const Slam& slam, const TruthOfScans& truth);
 
-/// Places that the robot comes back to: within 3 m and 45 degrees of where it was, no wall between, after 20 m of way. Looked
-/// at once a second, and judged 10 s later by what is known then.
+/// Places that the robot comes back to: within 3 m and 45 degrees of where it was, no wall between, after 20
+/// m of way. Looked at once a second, and judged 10 s later by what is known then.
 class Revisits {
  public:
   /// Both outlive this.
@@ -71,8 +71,8 @@ class Revisits {
   std::size_t missed_ = 0;
 };
 
-/// How sure the poses said they were, as they were told, relative to the first: squared Mahalanobis distances of (x, y,
-/// theta) from the truth.
+/// How sure the poses said they were, as they were told, relative to the first: squared Mahalanobis distances
+/// of (x, y, theta) from the truth.
 struct Consistency {
   double anees =
       0.0;  ///< their mean, over three: 1 where the covariance is right, below where it is too large

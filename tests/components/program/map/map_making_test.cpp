@@ -93,8 +93,8 @@ buildings::BuildingDriveOptions for_seconds(double seconds) {
   return options;
 }
 
-// Two minutes through an office. What is drawn are its walls: 98 % of the cells have one within a cell. Saved and read
-// again it is the same map.
+// Two minutes through an office. What is drawn are its walls: 98 % of the cells have one within a cell. Saved
+// and read again it is the same map.
 TEST_F(MapMaking, OfASimulatedDriveIsTheBuilding) {
   const buildings::Building office = buildings::make_building(buildings::BuildingKind::office, 1);
   const RecordedDrive drive = buildings::drive_through(office, for_seconds(120.0));
@@ -158,7 +158,8 @@ TEST_F(MapMaking, WithoutOdometryIsRefused) {
   EXPECT_THAT(refusal(), HasSubstr("no message of type nav_msgs/msg/Odometry in it"));
 }
 
-// The laser runs from the start, odometry from 2 s on: 20 scans are not used, which is said, with when and what to do.
+// The laser runs from the start, odometry from 2 s on: 20 scans are not used, which is said, with when and
+// what to do.
 TEST_F(MapMaking, TellsWhichScansItLeftOut) {
   RecordedDrive drive = buildings::drive_through(buildings::make_building(buildings::BuildingKind::office, 2),
                                                  for_seconds(5.0));

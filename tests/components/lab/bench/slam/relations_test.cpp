@@ -28,8 +28,9 @@ using ::testing::HasSubstr;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-// Truth: 2 m ahead and a quarter to the left. Estimated: both poses moved and turned alike, which is no error, and the
-// second then 3 cm ahead, 4 cm to the side and 10 degrees off in its own frame: 5 cm and 10 degrees.
+// Truth: 2 m ahead and a quarter to the left. Estimated: both poses moved and turned alike, which is no
+// error, and the second then 3 cm ahead, 4 cm to the side and 10 degrees off in its own frame: 5 cm and 10
+// degrees.
 TEST(RelationScore, IsTheErrorInTheSecondPosesFrame) {
   const Relation relation{Time::seconds(1), Time::seconds(2), {2.0, 0.0, 90.0 * kDegree}};
   const Pose2 X_from{7.0, -3.0, 2.0};
@@ -40,8 +41,8 @@ TEST(RelationScore, IsTheErrorInTheSecondPosesFrame) {
   EXPECT_NEAR(error.theta, -10.0 * kDegree, 1e-12);
 }
 
-// Errors of 0.1 and 0.3 m: mean 0.2, deviation 0.1; of 2 and 4 degrees, one of either sign: 3 and 1. A relation whose
-// second pose nobody knows does not count.
+// Errors of 0.1 and 0.3 m: mean 0.2, deviation 0.1; of 2 and 4 degrees, one of either sign: 3 and 1. A
+// relation whose second pose nobody knows does not count.
 TEST(RelationScore, IsTheMeanOverTheRelationsThatCanBeUsed) {
   const auto at = [](double t) { return Time::seconds(t); };
   const std::vector<Relation> relations = {
@@ -96,7 +97,8 @@ TEST_F(RelationsFile, FaultsAreRefusedWithFileLineAndColumn) {
   EXPECT_THROW(read_relations("/no/such/file"), std::runtime_error);
 }
 
-// Half a circle of radius 1 in steps of a tenth of it; times 2 it is a circle of radius 1, and its end the start.
+// Half a circle of radius 1 in steps of a tenth of it; times 2 it is a circle of radius 1, and its end the
+// start.
 TEST(Handicaps, ScaledOdometryKeepsItsArcs) {
   RecordedDrive drive;
   for (int i = 0; i <= 10; ++i) {
@@ -113,7 +115,8 @@ TEST(Handicaps, ScaledOdometryKeepsItsArcs) {
   EXPECT_NEAR(drive.odometry.back().X_OB.y, 2.0, 1e-9);
 }
 
-// 361 beams from -90 degrees, one each half: 90 degrees of view are -45 to 45, 181 of them, the first the 90th.
+// 361 beams from -90 degrees, one each half: 90 degrees of view are -45 to 45, 181 of them, the first the
+// 90th.
 TEST(Handicaps, ANarrowViewKeepsTheBeamsAhead) {
   RecordedDrive drive;
   ScanSample scan;
@@ -138,8 +141,9 @@ TEST(WorkTimes, QuantileIsTheLeastThatTheShareDoesNotExceed) {
   EXPECT_EQ(quantile({}, 0.5), 0.0);
 }
 
-// Scans at 0, 2 and 2.5 s, odometry each second: at 0.00001 s the scan's own pose; at 1 s the first scan's and odometry's
-// metre from there; between the last two, whose headings differ by a quarter, half way on an arc; then nothing.
+// Scans at 0, 2 and 2.5 s, odometry each second: at 0.00001 s the scan's own pose; at 1 s the first scan's
+// and odometry's metre from there; between the last two, whose headings differ by a quarter, half way on an
+// arc; then nothing.
 TEST(Trajectory, IsThatOfTheScansAndBetweenThem) {
   const double quarter = 0.5 * std::numbers::pi;
   SlamReplay replayed{SlamOptions{}};
@@ -164,8 +168,8 @@ BenchRelationsArguments recorded(const std::filesystem::path& shared, const std:
           .columns = std::string(BANDWAGON_SOURCE_DIR) + "/config/imports/" + log + ".yaml"};
 }
 
-// Counts and the errors of the odometry alone are those of the data's own description (1.68 m, 5.07 degrees). SLAM:
-// measured, 0.0283 m and 0.352 degrees, below Cartographer's .0319 m and .369 degrees.
+// Counts and the errors of the odometry alone are those of the data's own description (1.68 m, 5.07 degrees).
+// SLAM: measured, 0.0283 m and 0.352 degrees, below Cartographer's .0319 m and .369 degrees.
 TEST(RecordedRelations, MitCsail) {
   const char* shared = std::getenv("BANDWAGON_SHARED");
   if (shared == nullptr) GTEST_SKIP() << "BANDWAGON_SHARED names no folder of recorded data";
@@ -183,8 +187,8 @@ TEST(RecordedRelations, MitCsail) {
   EXPECT_LT(run.at_the_time.translation, 0.04) << "as told";
 }
 
-// SLAM on it takes too long for a test. Scans of 180 and 181 beams, the scanner 0.22 m ahead; odometry alone, by the
-// data's own description, 0.615 m and 0.64 degrees.
+// SLAM on it takes too long for a test. Scans of 180 and 181 beams, the scanner 0.22 m ahead; odometry alone,
+// by the data's own description, 0.615 m and 0.64 degrees.
 TEST(RecordedRelations, FreiburgHospitalIsReadWhole) {
   const char* shared = std::getenv("BANDWAGON_SHARED");
   if (shared == nullptr) GTEST_SKIP() << "BANDWAGON_SHARED names no folder of recorded data";

@@ -1,4 +1,5 @@
-// Figures beside the truth by poses and maps whose errors are known; a drive twice round a square of corridors.
+// Figures beside the truth by poses and maps whose errors are known; a drive twice round a square of
+// corridors.
 #include "components/lab/bench/slam/truth_score.hpp"
 
 #include <cmath>
@@ -14,8 +15,8 @@
 namespace bw::slam {
 namespace {
 
-// Corners of a square; of the estimated ones two that face each other lie 0.1 m farther out, the others 0.1 m farther
-// in, and all are turned and moved. No turn and no shift takes that away: 0.1 m.
+// Corners of a square; of the estimated ones two that face each other lie 0.1 m farther out, the others 0.1 m
+// farther in, and all are turned and moved. No turn and no shift takes that away: 0.1 m.
 TEST(TrajectoryError, IsWhatTurnAndShiftLeave) {
   const std::vector<Pose2> truth = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
   const Pose2 X{5.0, -2.0, 1.2};
@@ -40,8 +41,8 @@ OccupancyGrid wall_at(int column) {
   return grid;
 }
 
-// One cell off is right, two are not; what is drawn beside it halves the precision and not the recall: F1 of 1/2 and 1
-// is 2/3.
+// One cell off is right, two are not; what is drawn beside it halves the precision and not the recall: F1 of
+// 1/2 and 1 is 2/3.
 TEST(MapScore, ForgivesOneCell) {
   EXPECT_EQ(score_map(wall_at(5), wall_at(6), {}).f1(), 1.0);
   EXPECT_EQ(score_map(wall_at(5), wall_at(7), {}).f1(), 0.0);
@@ -54,8 +55,8 @@ TEST(MapScore, ForgivesOneCell) {
   EXPECT_EQ(score_map(wall_at(5), wall_at(7), {0.2, 0.0, 0.0}).f1(), 1.0) << "frames that lie 0.2 m apart";
 }
 
-// 0.2 m off at a deviation of 0.1 m: a squared distance of 4, within the quantile; 0.3 m: 9, beyond. Mean 6.5 over 3.
-// The first scan is what the others are relative to.
+// 0.2 m off at a deviation of 0.1 m: a squared distance of 4, within the quantile; 0.3 m: 9, beyond. Mean 6.5
+// over 3. The first scan is what the others are relative to.
 TEST(Consistency, IsTheMeanSquaredDistanceOverThree) {
   SlamReplay replayed{SlamOptions{}};
   const Eigen::Matrix3d covariance = Eigen::Vector3d(0.01, 0.01, 0.01).asDiagonal();
@@ -99,7 +100,8 @@ class RoundTheSquare : public ::testing::Test {
   }
 };
 
-// The second round is a revisit wherever it is more than 20 m on, half of the drive less its last 10 s, each second.
+// The second round is a revisit wherever it is more than 20 m on, half of the drive less its last 10 s, each
+// second.
 TEST_F(RoundTheSquare, IsDrivenWithoutAFault) {
   const SlamDrive drive = drive_slam(corridors(), options(), {});
   EXPECT_NEAR(drive.way, 70.0, 8.0) << "corners are rounded";
@@ -114,8 +116,8 @@ TEST_F(RoundTheSquare, IsDrivenWithoutAFault) {
   EXPECT_LT(drive.consistency.anees, 3.0);
 }
 
-// A truth that jumps by 2 m half way makes liars of all loops from one half to the other, and of each revisit of the first
-// half; loops within a half stay right.
+// A truth that jumps by 2 m half way makes liars of all loops from one half to the other, and of each revisit
+// of the first half; loops within a half stay right.
 TEST_F(RoundTheSquare, BesideAFalseTruthIsWrong) {
   const buildings::Building building = corridors();
   const RecordedDrive drive = buildings::drive_through(building, options());
