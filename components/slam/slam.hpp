@@ -43,7 +43,8 @@ class Slam {
 
   /// A scan and where odometry was at its time, in order of time.
   Tracked add(const Scan& scan, const Pose2& X_OB);
-  /// A piece of the work on loops and the graph, of which some tens come up every half submap. False: none is left.
+  /// A piece of the work on loops and the graph, of which some tens come up every half submap. False: none is
+  /// left.
   bool advance() { return closing_.advance(); }
   /// Ends the drive: what is under way becomes submaps, and all work is done.
   void finish();
