@@ -25,13 +25,31 @@ struct LoopCounts {
 
 class LoopClosing {
  public:
+  /// All of it while no work is left.
+  struct State {
+    std::vector<Submap> submaps;
+    std::vector<Pose2> X_MS;
+    std::vector<Edge> edges;     ///< the drive's in order of their later submaps
+    std::vector<Loop> pending;   ///< wait for support
+    std::vector<Loop> accepted;  ///< in the order of their edges
+    UncertainPose newest_in_first;
+    std::size_t turn = 0;
+    LoopCounts counts;
+  };
   /// `nodes`: those that the submaps name; outlives this, and does not move what it holds.
   LoopClosing(const SlamOptions& options, const std::deque<Node>& nodes) : options_(options), nodes_(nodes) {}
+
+  /// Takes up what was left.
+  LoopClosing(const SlamOptions& options, const std::deque<Node>& nodes, State state);
+  /// With no work left.
+  State state() const;
 
   void add(const Submap& submap) { waiting_.push_back(submap); }
 
   /// Compares one pair of submaps, or goes on with the graph: below a millisecond or a few. False: nothing is left to do.
   bool advance();
+  /// Begins an optimisation where loops came since the last one: those that the poses agree with wait for it.
+  void settle();
 
   /// Of submaps that were taken up: those that wait are not among them.
   const std::vector<Submap>& submaps() const { return submaps_; }
@@ -41,16 +59,23 @@ class LoopClosing {
   const LoopCounts& counts() const { return counts_; }
   /// Pose of the newest of them in the first, with the covariance of the surest way there.
   const UncertainPose& newest_in_first() const { return newest_in_first_; }
+  /// The same of any of them.
+  UncertainPose in_first(std::size_t submap) const;
   /// Counts up whenever submaps moved.
   std::int64_t revision() const { return counts_.optimisations; }
 
  private:
+  struct View;
   struct Search;
   void take_up();
   void begin_search();
+  /// Walls of the newest submap and, if `before` is not 0, of the one so many before it on the same drive.
+  LoopSearch& look(View& view, std::size_t before) const;
   /// Submaps that the newest may have seen again; others: their poses in it.
   std::vector<std::size_t> candidates(const std::vector<UncertainPose>& others);
-  bool accept();
+  bool accept();  ///< true: a loop that poses must move for
+  /// So near along the drive that their scans were matched with each other.
+  bool overlap(std::size_t earlier, std::size_t later) const;
 
   SlamOptions options_;
   const std::deque<Node>& nodes_;
@@ -65,6 +90,7 @@ class LoopClosing {
   UncertainPose newest_in_first_;
   std::size_t turn_ = 0;  ///< of the candidates that are far
   LoopCounts counts_;
+  bool settled_ = true;  ///< no loop came since the last optimisation began
 };
 
 }  // namespace bw::slam

@@ -14,6 +14,10 @@ Eigen::Matrix3d step_covariance(const Pose2& step, const SlamOptions& options);
 /// weak lets clutter turn the robot (theory.md 10.1).
 class OdometryTrust {
  public:
+  OdometryTrust() = default;
+  /// What was learned before.
+  OdometryTrust(double travel, double turn) : travel_(travel), turn_(turn) {}
+
   Eigen::Matrix3d covariance(const Pose2& step, const SlamOptions& options) const;
 
   /// A scan that fits well: the step by odometry alone and after the scan; covariance of the pose before the

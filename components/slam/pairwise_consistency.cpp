@@ -12,20 +12,39 @@ namespace {
 constexpr double kConsistent = 11.3;   // chi^2 of three degrees of freedom, 99 %
 constexpr std::size_t kFarApart = 10;  // [submaps] the way between them says nothing any more
 
-// Pose of submap b in submap a along the drive.
+// Pose of submap b in submap a along the drive. Where a map was continued the drive has a fork.
 UncertainPose along_drive(std::size_t a, std::size_t b, std::span<const Submap> submaps) {
   if (a > b) return inverse(along_drive(b, a, submaps));
-  UncertainPose X;
-  for (std::size_t k = a + 1; k <= b; ++k) X = X * submaps[k].X_PS;
-  return X;
+  std::vector<std::size_t> way;
+  UncertainPose from_a;  // of the fork, in a
+  while (a != b) {
+    if (b > a) {
+      way.push_back(b);
+      b = submaps[b].parent(b);
+    } else {
+      from_a = from_a * inverse(submaps[a].X_PS);
+      a = submaps[a].parent(a);
+    }
+  }
+  for (auto k = way.rbegin(); k != way.rend(); ++k) from_a = from_a * submaps[*k].X_PS;
+  return from_a;
 }
 
-std::size_t apart(std::size_t a, std::size_t b) { return a > b ? a - b : b - a; }
+// Submaps on that way, as far as it matters.
+std::size_t apart(std::size_t a, std::size_t b, std::span<const Submap> submaps) {
+  std::size_t steps = 0;
+  for (; a != b && steps <= kFarApart; ++steps) {
+    std::size_t& later = a > b ? a : b;
+    later = submaps[later].parent(later);
+  }
+  return steps;
+}
 
 }  // namespace
 
 double inconsistency(const Loop& a, const Loop& b, std::span<const Submap> submaps) {
-  if (apart(a.edge.from, b.edge.from) > kFarApart || apart(a.edge.to, b.edge.to) > kFarApart)
+  if (apart(a.edge.from, b.edge.from, submaps) > kFarApart ||
+      apart(a.edge.to, b.edge.to, submaps) > kFarApart)
     return std::numeric_limits<double>::infinity();
   const UncertainPose by_a = a.edge.X * along_drive(a.edge.to, b.edge.to, submaps);
   const UncertainPose by_b = along_drive(a.edge.from, b.edge.from, submaps) * b.edge.X;

@@ -26,10 +26,64 @@ constexpr double kTelling = 0.8;               // share of inliers of a scan tha
 
 }  // namespace
 
-ScanTracking::Active ScanTracking::begun(std::size_t node, const UncertainPose& X_PS) const {
+ScanTracking::Active::Active(double resolution, const State::Active& state)
+    : surface(resolution, state.surface),
+      X_SB(state.X_SB),
+      X_before(state.X_before),
+      joint{state.found_in, state.X_PS},
+      travel(state.travel),
+      first_node(state.first_node) {}
+
+ScanTracking::State::Active ScanTracking::Active::state() const {
+  return {surface.state(), X_SB, X_before, joint.found_in, joint.X_PS, travel, first_node};
+}
+
+Submap ScanTracking::Active::finished(std::size_t nodes) const {
+  Submap submap;
+  submap.found_in = joint.found_in;
+  submap.X_PS = joint.X_PS;
+  submap.surfaces = surface.surfaces();
+  submap.first_node = first_node;
+  submap.last_node = nodes;
+  return submap;
+}
+
+ScanTracking::ScanTracking(const SlamOptions& options, const State& state)
+    : options_(options),
+      submap_(state.submap),
+      X_OB_(state.X_OB),
+      trust_(state.travel_factor, state.turn_factor),
+      time_(state.time),
+      step_before_(state.step_before),
+      odometry_before_(state.odometry_before),
+      late_(state.late),
+      since_node_(state.since_node),
+      turned_since_node_(state.turned_since_node) {
+  if (state.older) older_.emplace(options.resolution, *state.older);
+  if (state.younger) younger_.emplace(options.resolution, *state.younger);
+}
+
+ScanTracking::State ScanTracking::state() const {
+  State state;
+  state.submap = submap_;
+  if (older_) state.older = older_->state();
+  if (younger_) state.younger = younger_->state();
+  state.X_OB = X_OB_;
+  state.travel_factor = trust_.travel();
+  state.turn_factor = trust_.turn();
+  state.time = time_;
+  state.step_before = step_before_;
+  state.odometry_before = odometry_before_;
+  state.late = late_;
+  state.since_node = since_node_;
+  state.turned_since_node = turned_since_node_;
+  return state;
+}
+
+ScanTracking::Active ScanTracking::begun(std::size_t node, const Joint& joint) const {
   Active active(options_.resolution);
   active.first_node = node;
-  active.X_PS = X_PS;
+  active.joint = joint;
   return active;
 }
 
@@ -68,7 +122,7 @@ ScanTracking::Match ScanTracking::match(const Scan& scan, const UncertainPose& p
 Tracked ScanTracking::add(const Scan& scan, const Pose2& X_OB, std::size_t nodes) {
   Tracked result;
   if (!older_) {
-    older_ = begun(nodes, {});
+    older_ = begun(nodes, start_);
     result.enters_map = true;
   } else {
     const Pose2 X_step = inverse(X_OB_) * X_OB;
@@ -92,8 +146,9 @@ Tracked ScanTracking::add(const Scan& scan, const Pose2& X_OB, std::size_t nodes
       };
       older_->X_SB = {result.match.X, updated(found.prior.covariance, result.match.information)};
       if (younger_) {
-        const Eigen::Matrix3d R = by_second(younger_->X_PS.X);
-        younger_->X_SB = {inverse(younger_->X_PS.X) * older_->X_SB.X,
+        const Pose2& X_PS = younger_->joint.X_PS.X;
+        const Eigen::Matrix3d R = by_second(X_PS);
+        younger_->X_SB = {inverse(X_PS) * older_->X_SB.X,
                           updated(younger_->X_SB.covariance, R.transpose() * result.match.information * R)};
       }
     }
@@ -125,13 +180,13 @@ Tracked ScanTracking::add(const Scan& scan, const Pose2& X_OB, std::size_t nodes
   result.placement = {submap_, older_->X_SB.X, younger_ ? std::min(1.0, younger_->travel / half) : 0.0};
   if (!result.enters_map) return result;
   if (younger_ && younger_->travel >= half) {
-    result.finished = Submap{older_->X_PS, older_->surface.surfaces(), older_->first_node, nodes};
+    result.finished = older_->finished(nodes);
     older_ = std::move(younger_);
     younger_.reset();
     ++submap_;
   }
   if (!younger_ && older_->travel >= half) {
-    younger_ = begun(nodes, older_->X_SB);
+    younger_ = begun(nodes, {std::nullopt, older_->X_SB});
     younger_->surface.insert(scan.points, Pose2{});
   }
   return result;
@@ -140,18 +195,26 @@ Tracked ScanTracking::add(const Scan& scan, const Pose2& X_OB, std::size_t nodes
 std::vector<Submap> ScanTracking::finish(std::size_t nodes) {
   std::vector<Submap> submaps;
   for (std::optional<Active>* active : {&older_, &younger_}) {
-    if (*active)
-      submaps.push_back({(*active)->X_PS, (*active)->surface.surfaces(), (*active)->first_node, nodes});
+    if (*active) submaps.push_back((*active)->finished(nodes));
     active->reset();
   }
+  submap_ += submaps.size();
   return submaps;
 }
 
-std::vector<UncertainPose> ScanTracking::under_way(std::size_t first, std::size_t last) const {
-  std::vector<UncertainPose> steps;
-  if (older_ && first <= submap_ && submap_ <= last) steps.push_back(older_->X_PS);
-  if (younger_ && first <= submap_ + 1 && submap_ + 1 <= last) steps.push_back(younger_->X_PS);
-  return steps;
+void ScanTracking::begin_at(std::size_t found_in, const UncertainPose& X_PB) {
+  start_ = {found_in, X_PB};
+  late_ = false;
+  odometry_before_ = {};
+  step_before_ = {};
+  since_node_ = 0.0;
+  turned_since_node_ = 0.0;
+}
+
+std::optional<ScanTracking::Joint> ScanTracking::joint(std::size_t submap) const {
+  if (older_ && submap == submap_) return older_->joint;
+  if (younger_ && submap == submap_ + 1) return younger_->joint;
+  return std::nullopt;
 }
 
 }  // namespace bw::slam

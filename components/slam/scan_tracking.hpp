@@ -20,28 +20,68 @@ struct Tracked {
 
 class ScanTracking {
  public:
+  /// All of it between two scans.
+  struct State {
+    struct Active {
+      SurfaceMap::State surface;
+      UncertainPose X_SB;
+      Pose2 X_before;
+      std::optional<std::size_t> found_in;
+      UncertainPose X_PS;
+      double travel = 0.0;
+      std::size_t first_node = 0;
+    };
+    std::size_t submap = 0;
+    std::optional<Active> older;
+    std::optional<Active> younger;
+    Pose2 X_OB;
+    double travel_factor = 0.0;  ///< OdometryTrust
+    double turn_factor = 0.0;
+    Time time;
+    Pose2 step_before;
+    Pose2 odometry_before;
+    bool late = false;
+    double since_node = 0.0;
+    double turned_since_node = 0.0;
+  };
+
   explicit ScanTracking(const SlamOptions& options) : options_(options) {}
+  ScanTracking(const SlamOptions& options, const State& state);
+  State state() const;
 
   /// Scans in order of time; X_OB by odometry at the scan's time. `nodes`: how many entered the map before.
   Tracked add(const Scan& scan, const Pose2& X_OB, std::size_t nodes);
   /// Submaps under way, as if they were finished; nothing is under way any more.
   std::vector<Submap> finish(std::size_t nodes);
-  /// X_PS of submaps first to last, of those under way.
-  std::vector<UncertainPose> under_way(std::size_t first, std::size_t last) const;
+  /// With nothing under way: the next scan begins a submap at X_PB in submap `found_in`.
+  void begin_at(std::size_t found_in, const UncertainPose& X_PB);
+
+  struct Joint {
+    std::optional<std::size_t> found_in;  ///< as Submap's
+    UncertainPose X_PS;
+  };
+  /// How a submap hangs on its parent, if it is under way.
+  std::optional<Joint> joint(std::size_t submap) const;
+  /// Number of the submap that scans are matched against, and its walls; null before the first scan.
+  std::size_t submap() const { return submap_; }
+  const SurfaceMap* walls() const { return older_ ? &older_->surface : nullptr; }
 
   const OdometryTrust& trust() const { return trust_; }
 
  private:
   struct Active {
     explicit Active(double resolution) : surface(resolution) {}
+    Active(double resolution, const State::Active& state);
+    State::Active state() const;
+    Submap finished(std::size_t nodes) const;
     SurfaceMap surface;
     UncertainPose X_SB;
     Pose2 X_before;
-    UncertainPose X_PS;
+    Joint joint;
     double travel = 0.0;  ///< [m], with turns as so much travel
     std::size_t first_node = 0;
   };
-  Active begun(std::size_t node, const UncertainPose& X_PS) const;
+  Active begun(std::size_t node, const Joint& joint) const;
   struct Match {
     Refined refined;
     UncertainPose prior;
@@ -52,6 +92,7 @@ class ScanTracking {
   std::size_t submap_ = 0;  ///< number of older_
   std::optional<Active> older_;
   std::optional<Active> younger_;
+  Joint start_;  ///< of the next submap, if nothing is under way
   Pose2 X_OB_;
   OdometryTrust trust_;
   Time time_;

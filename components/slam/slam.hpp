@@ -21,9 +21,25 @@ struct SlamCounts {
   std::int64_t unmatched = 0;  ///< by odometry alone
 };
 
+/// All that SLAM knows between two scans: what a graph file holds (graph_file.md).
+struct SlamState {
+  SlamOptions options;
+  SlamCounts counts;
+  std::vector<Node> nodes;
+  LoopClosing::State closing;
+  ScanTracking::State tracking;
+};
+
 class Slam {
  public:
   explicit Slam(const SlamOptions& options);
+  /// Goes on where save() was called: what is added next is told as if there had been no break.
+  explicit Slam(SlamState state);
+  /// All that is known; what is left of the work on loops is done first.
+  SlamState save();
+  /// Ends the drive so far. The next scan, wherever odometry counts from, begins at X_PB in submap `found_in`
+  /// (relocalization.hpp), one of those taken up.
+  void begin_at(std::size_t found_in, const UncertainPose& X_PB);
 
   /// A scan and where odometry was at its time, in order of time.
   Tracked add(const Scan& scan, const Pose2& X_OB);
@@ -37,7 +53,7 @@ class Slam {
   Pose2 pose(const Placement& placement) const;
   /// Covariance of (x, y, theta) of a scan's pose in the map, relative to the first.
   Eigen::Matrix3d covariance(const Tracked& tracked) const;
-  /// Scans of the map, in order of time; those that are there do not move in memory.
+  /// Scans of the map in the order in which they came; those that are there do not move in memory.
   const std::deque<Node>& nodes() const { return *nodes_; }
   const std::vector<Loop>& loops() const { return closing_.loops(); }
   /// Counts up whenever poses of earlier scans moved.
@@ -46,10 +62,22 @@ class Slam {
   const LoopCounts& loop_counts() const { return closing_.counts(); }
   const OdometryTrust& trust() const { return tracking_.trust(); }
   std::size_t submaps() const { return closing_.X_MS().size(); }
-  /// Submaps and their poses, to which loops refer.
-  const LoopClosing& loop_closing() const { return closing_; }
+  /// Those that were taken up, and their poses.
+  const std::vector<Submap>& map() const { return closing_.submaps(); }
+  const std::vector<Pose2>& X_MS() const { return closing_.X_MS(); }
+  const SlamOptions& options() const { return options_; }
+  /// The submap that scans are matched against: its number, and its walls, null before the first scan.
+  std::size_t submap_under_way() const { return tracking_.submap(); }
+  const SurfaceMap* walls_under_way() const { return tracking_.walls(); }
+
+  /// Does all work on loops, and moves poses for those that waited.
+  void settle();
 
  private:
+  std::optional<ScanTracking::Joint> joint(std::size_t submap) const;
+  Pose2 X_M(std::size_t submap) const;
+
+  SlamOptions options_;
   ScanTracking tracking_;
   std::unique_ptr<std::deque<Node>> nodes_;
   LoopClosing closing_;

@@ -1,6 +1,7 @@
 // A stretch of the drive whose scans were matched among themselves: one rigid piece of the map.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "components/slam/scan.hpp"
@@ -12,7 +13,7 @@ namespace bw::slam {
 /// Submaps overlap by half: while one is matched against, the next is begun. S: a submap's frame, the pose at
 /// which it was begun.
 struct Submap {
-  UncertainPose X_PS;  ///< in the one before
+  UncertainPose X_PS;  ///< in the parent
   std::vector<Surface> surfaces;
   std::size_t first_node = 0;  ///< of Slam::nodes(): those that went into it
   std::size_t last_node = 0;
@@ -20,6 +21,11 @@ struct Submap {
   /// (a corridor) to 1.
   double all_round = 0.0;
   Vector2 centre{0.0, 0.0};  ///< of its walls [m]: a scanner that looks ahead maps what lies before the robot
+  /// P: nothing for the submap before; where a map is continued, that in which the robot found itself.
+  std::optional<std::size_t> found_in;
+
+  /// Index of P, of submap `index` > 0.
+  std::size_t parent(std::size_t index) const { return found_in.value_or(index - 1); }
 };
 
 /// Where the robot was: in the submap that was matched against, and how far on the way to the next.

@@ -8,6 +8,11 @@ namespace {
 constexpr int kMostHits = 50;     // of which the mean is; more would hold on to what has moved
 constexpr float kMoved = 0.004F;  // [m] a surface that moved by less is not spread again
 
+std::int32_t likelihood_at(float squared) {
+  constexpr float kInverse = 1.0F / static_cast<float>(2.0 * SurfaceMap::kSpread * SurfaceMap::kSpread);
+  return static_cast<std::int32_t>(255.0F * std::exp(-squared * kInverse) + 0.5F);
+}
+
 }  // namespace
 
 SurfaceMap::SurfaceMap(double resolution)
@@ -22,6 +27,29 @@ SurfaceMap::SurfaceMap(double resolution, std::span<const Surface> surfaces) : S
         static_cast<std::int32_t>(i);
     stamp(static_cast<std::int32_t>(i));
   }
+}
+
+SurfaceMap::SurfaceMap(double resolution, const State& state) : SurfaceMap(resolution) {
+  surfaces_ = state.surfaces;
+  for (std::size_t k = 0; k < state.own.size(); ++k)
+    near_.ref(state.own[k].i, state.own[k].j).own = static_cast<std::int32_t>(k);
+  for (const State::Near& known : state.near) {
+    Near& near = near_.ref(known.i, known.j);
+    near.surface = known.surface;
+    near.squared = known.squared;
+    near.likelihood = likelihood_at(known.squared);
+  }
+}
+
+SurfaceMap::State SurfaceMap::state() const {
+  State state;
+  state.surfaces = surfaces_;
+  state.own.resize(surfaces_.size());
+  near_.for_each([&](int i, int j, const Near& near) {
+    if (near.own >= 0) state.own[static_cast<std::size_t>(near.own)] = {i, j};
+    if (near.surface >= 0) state.near.push_back({i, j, near.surface, near.squared});
+  });
+  return state;
 }
 
 void SurfaceMap::insert(std::span<const SurfacePoint> points, const Pose2& X_SB) {
@@ -56,7 +84,6 @@ void SurfaceMap::stamp(std::int32_t index) {
   const Surface& surface = surfaces_[static_cast<std::size_t>(index)];
   const int i0 = cell(static_cast<double>(surface.x));
   const int j0 = cell(static_cast<double>(surface.y));
-  constexpr float kInverse = 1.0F / static_cast<float>(2.0 * kSpread * kSpread);
   for (int j = j0 - reach_; j <= j0 + reach_; ++j) {
     const float dy = static_cast<float>((j + 0.5) * resolution_) - surface.y;
     for (int i = i0 - reach_; i <= i0 + reach_; ++i) {
@@ -67,7 +94,7 @@ void SurfaceMap::stamp(std::int32_t index) {
       if (near.surface != index && squared >= near.squared) continue;
       near.surface = index;
       near.squared = squared;
-      near.likelihood = static_cast<std::int32_t>(255.0F * std::exp(-squared * kInverse) + 0.5F);
+      near.likelihood = likelihood_at(squared);
     }
   }
 }

@@ -2,6 +2,7 @@
 // the cells around the nearest of them.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,7 +22,18 @@ struct Surface {
   std::int32_t hits = 0;
 
   SurfacePoint point() const { return {x, y, normal_cos2, normal_sin2}; }
+  bool operator==(const Surface&) const = default;
 };
+
+/// A surface of B, in A.
+inline Surface moved(const Surface& surface, const Pose2& X_AB) {
+  const Vector2 p = X_AB * Vector2{surface.x, surface.y};
+  const auto c = static_cast<float>(std::cos(2.0 * X_AB.theta));
+  const auto s = static_cast<float>(std::sin(2.0 * X_AB.theta));
+  return {static_cast<float>(p.x()), static_cast<float>(p.y()),
+          c * surface.normal_cos2 - s * surface.normal_sin2,
+          s * surface.normal_cos2 + c * surface.normal_sin2, surface.hits};
+}
 
 class SurfaceMap {
  public:
@@ -30,8 +42,30 @@ class SurfaceMap {
   /// [m] spread of the likelihood about a wall, for search
   static constexpr double kSpread = 0.08;
 
+  /// All of it, as values: which surface a cell knows depends on the order in which they came.
+  struct State {
+    struct Own {
+      std::int32_t i = 0;  ///< cell in which the surface was hit
+      std::int32_t j = 0;
+      bool operator==(const Own&) const = default;
+    };
+    struct Near {
+      std::int32_t i = 0;
+      std::int32_t j = 0;
+      std::int32_t surface = 0;
+      float squared = 0.0F;  ///< [m^2]
+      bool operator==(const Near&) const = default;
+    };
+    std::vector<Surface> surfaces;
+    std::vector<Own> own;    ///< of each surface
+    std::vector<Near> near;  ///< cells that know a surface, in the order of TiledGrid
+    bool operator==(const State&) const = default;
+  };
+
   explicit SurfaceMap(double resolution);
   SurfaceMap(double resolution, std::span<const Surface> surfaces);
+  SurfaceMap(double resolution, const State& state);
+  State state() const;
 
   void insert(std::span<const SurfacePoint> points, const Pose2& X_SB);
 

@@ -60,7 +60,7 @@ DriveTopics topics_of(const bag::Bag& recording, const std::string& path, const 
 
 LoopResiduals residuals_of(const slam::Slam& made) {
   LoopResiduals r;
-  const std::vector<Pose2>& X_MS = made.loop_closing().X_MS();
+  const std::vector<Pose2>& X_MS = made.X_MS();
   const auto count = static_cast<double>(made.loops().size());
   for (const slam::Loop& loop : made.loops()) {
     const Pose2 difference = inverse(loop.edge.X.X) * (inverse(X_MS[loop.edge.from]) * X_MS[loop.edge.to]);

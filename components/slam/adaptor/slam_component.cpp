@@ -28,8 +28,6 @@ void SlamComponent::configure(Setup& setup) {
   parameters_ = setup.parameters<SlamParameters>();
   const std::filesystem::path folder = setup.file_parameter("folder");
   folder_ = std::filesystem::absolute(folder.empty() ? std::filesystem::path(parameters_.folder) : folder);
-  const MapStartPose& start = parameters_.map_start_pose;
-  X_MW_ = {start.x, start.y, start.yaw};
   map_frame_ = setup.frame("map");
   odom_frame_ = setup.frame("odom");
   base_frame_ = setup.frame("base_link");
@@ -46,20 +44,34 @@ void SlamComponent::configure(Setup& setup) {
   setup.input<sensor_msgs::msg::LaserScan>("scan", Qos::sensor(),
                                            [this](const auto& m, const Tick&) { on_scan(m); });
   tracks_ = setup.latest<bandwagon_msgs::msg::Tracks>("tracks", Qos::standard(), Need::optional);
+  setup.input<geometry_msgs::msg::PoseWithCovarianceStamped>(
+      "initialpose", Qos::standard(), [this](const auto& m, const Tick&) { on_initial_pose(m); },
+      Need::optional);
   setup.every(Duration::seconds(parameters_.map_update_interval), "map",
               [this](const Tick&) { publish_map(); });
   setup.every(Duration::seconds(1.0), "health", [this](const Tick&) { report(); });
   offer_services(setup);
+  offer_graph_services(setup);
   begin_map();
 }
 
 void SlamComponent::activate(const Tick&) { waiting_.clear(); }
 
 void SlamComponent::begin_map() {
-  slam_ = std::make_unique<Slam>(parameters_.algorithm);
-  painter_ = std::make_unique<MapPainter>(parameters_.algorithm.resolution, X_MW_);
+  const MapStartPose& start = parameters_.map_start_pose;
+  X_MW_ = {start.x, start.y, start.yaw};
+  options_ = parameters_.algorithm;
+  search_.reset();
+  slam_ = std::make_unique<Slam>(options_);
+  painter_ = std::make_unique<MapPainter>(options_.resolution, X_MW_);
   covariance_.setZero();
   published_ = -1;
+  is_told_ = false;
+  jumps_ = true;
+  newest_.reset();
+  looks_for_place_ = false;
+  given_.reset();
+  given_X_MO_.reset();
 }
 
 void SlamComponent::on_odometry(const nav_msgs::msg::Odometry& message, const Tick&) {
@@ -70,7 +82,7 @@ void SlamComponent::on_odometry(const nav_msgs::msg::Odometry& message, const Ti
     log_.warn("odometry went back in time to {}: the clock was set, or two programs publish odom",
               seconds(time));
   use_waiting_scans();
-  if (slam_->counts().scans == 0) return;
+  if (!is_told_) return;
   const Pose2 X_MO = map_to_odom_.next(X_OB);
   tf2_msgs::msg::TFMessage tf;
   tf.transforms().push_back(to_transform(map_frame_, odom_frame_, time, X_MO));
@@ -131,23 +143,32 @@ void SlamComponent::use(const sensor_msgs::msg::LaserScan& message) {
   for (Disc& person : people) person.center = X_BO * person.center;
   const std::vector<float> ranges = without_people(sweep, people);
   sweep.ranges = ranges;
-  const bool is_first = slam_->counts().scans == 0;
-  const Tracked tracked = slam_->add(scan_of(sweep, parameters_.algorithm), *X_OB);
+  newest_ = scan_of(sweep, options_);
+  newest_X_OB_ = *X_OB;
+  if (looks_for_place_ && !find_place(*newest_, *X_OB)) return;
+  take_in(*newest_, *X_OB);
+}
+
+void SlamComponent::take_in(const Scan& scan, const Pose2& X_OB) {
+  const bool is_first = jumps_;
+  const Tracked tracked = slam_->add(scan, X_OB);
   for (int i = 0; i < kPiecesPerScan && slam_->advance(); ++i) {
   }
   painter_->update(*slam_, kDrawnPerScan);
-  map_time_ = sweep.time;
+  map_time_ = scan.time;
   inliers_ = tracked.match.inliers;
   unseen_ = !tracked.match.unseen.isZero();
   const Pose2 X_MB = X_MW_ * slam_->pose(tracked.placement);
   if (is_first) {
-    map_to_odom_.jump(X_MB * X_BO);
+    map_to_odom_.jump(X_MB * inverse(X_OB));
+    is_told_ = true;
+    jumps_ = false;
   } else {
-    map_to_odom_.set(X_MB * X_BO);
+    map_to_odom_.set(X_MB * inverse(X_OB));
   }
   covariance_ = slam_->covariance(tracked);
   geometry_msgs::msg::PoseWithCovarianceStamped pose;
-  pose.header(make_header(map_frame_, sweep.time));
+  pose.header(make_header(map_frame_, scan.time));
   pose.pose().pose(to_pose(X_MB));
   set_planar_covariance(pose.pose().covariance(), covariance_);
   pose_.publish(pose);
@@ -185,8 +206,11 @@ void SlamComponent::report() {
   diagnostics_->set_value("submaps", std::to_string(slam_->submaps()));
   diagnostics_->set_value("loop closures", std::to_string(loops.accepted));
   diagnostics_->set_value("beams that meet the map", fmt::format("{:.2f}", inliers_));
+  diagnostics_->set_value("initialpose", initial_pose_remark_);
   if (paused_) {
     diagnostics_->report(Level::ok, "paused: scans are not used");
+  } else if (looks_for_place_) {
+    diagnostics_->report(Level::warn, "looks for its place in the map: " + doubt());
   } else if (slam_->counts().scans == 0) {
     diagnostics_->report(Level::warn, "waits for scans and odometry");
   } else if (slam_->counts().scans > 1 && inliers_ < kDoubtful) {

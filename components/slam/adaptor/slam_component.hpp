@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,12 +13,15 @@
 #include <nav_msgs/msg/occupancy_grid.hpp>
 #include <nav_msgs/msg/odometry.hpp>
 #include <sensor_msgs/msg/laser_scan.hpp>
+#include <slam_toolbox/srv/serialize_pose_graph.hpp>
 #include <tf2_msgs/msg/tf_message.hpp>
 
 #include "components/model/obstacles.hpp"
+#include "components/slam/graph_file.hpp"
 #include "components/slam/map_odom.hpp"
 #include "components/slam/map_painter.hpp"
 #include "components/slam/odometry_history.hpp"
+#include "components/slam/relocalization.hpp"
 #include "components/slam/slam.hpp"
 #include "components/slam/slam_parameters.hpp"
 #include "runtime/component.hpp"
@@ -32,11 +36,24 @@ class SlamComponent final : public Component {
 
  private:
   void offer_services(Setup& setup);
+  void offer_graph_services(Setup& setup);
+  using SavedReply = Reply<slam_toolbox::srv::SerializePoseGraph>;
+  void save_graph(const std::string& name, const SavedReply& reply);
+  /// Answers when the file that is being written is done.
+  void answer_saving();
   void begin_map();
+  /// Goes on with a map that was saved: where the robot is in it is looked for, about X_MB if that is given.
+  void continue_map(SavedGraph graph, const std::optional<Pose2>& X_MB);
+  void on_initial_pose(const geometry_msgs::msg::PoseWithCovarianceStamped& message);
+  /// True when the robot's place is found, and the map goes on from there.
+  bool find_place(const Scan& scan, const Pose2& X_OB);
+  void begin_at(const Place& place);
+  std::string doubt() const;
   void on_odometry(const nav_msgs::msg::Odometry& message, const Tick& tick);
   void on_scan(const sensor_msgs::msg::LaserScan& message);
   void use_waiting_scans();
   void use(const sensor_msgs::msg::LaserScan& message);
+  void take_in(const Scan& scan, const Pose2& X_OB);
   /// Discs in odom.
   std::vector<Disc> people_at(Time time) const;
   void publish_map();
@@ -45,11 +62,26 @@ class SlamComponent final : public Component {
 
   SlamParameters parameters_;
   std::filesystem::path folder_;
-  Pose2 X_MW_;  ///< where the first scan was taken, in map
+  SlamOptions options_;  ///< of the map under way: a saved one brings its resolution
+  Pose2 X_MW_;           ///< where the first scan was taken, in map
   std::unique_ptr<Slam> slam_;
   std::unique_ptr<MapPainter> painter_;
   OdometryHistory odometry_;
   MapToOdom map_to_odom_;
+  bool is_told_ = false;  ///< map->odom
+  bool jumps_ = true;     ///< the next scan begins a drive
+  std::optional<Scan> newest_;
+  Pose2 newest_X_OB_;
+  // Between a map that was read and the robot's place in it.
+  bool looks_for_place_ = false;
+  std::optional<Pose2> given_;       ///< X_MB, for the next scan
+  std::optional<Pose2> given_X_MO_;  ///< as it follows from that
+  std::unique_ptr<PlaceSearch> search_;
+  std::string initial_pose_remark_ = "none";
+  // A graph is written by another thread: a disk may take seconds. In lock-step there is none.
+  bool is_lockstep_ = false;
+  std::future<std::filesystem::path> saving_;
+  SavedReply saving_reply_;
   std::deque<sensor_msgs::msg::LaserScan> waiting_;  ///< for odometry of their time
   Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();
   Time map_time_;                ///< of the newest scan in the map

@@ -1,4 +1,4 @@
-// The services of slam_toolbox. What they do not do is told in the log.
+// The services of slam_toolbox on the map as a grid. What they do not do is told in the log.
 #include <fmt/format.h>
 #include <nav_msgs/srv/get_map.hpp>
 #include <slam_toolbox/srv/pause.hpp>
@@ -34,7 +34,8 @@ void SlamComponent::offer_services(Setup& setup) {
           return saved(result::RESULT_NO_MAP_RECEIEVD);
         }
         try {
-          while (slam_->advance() || painter_->update(*slam_, 1000)) {
+          slam_->settle();
+          while (painter_->update(*slam_, 1000)) {
           }
           const std::filesystem::path file = path_of_map(folder_, request.name().data());
           save_map(painter_->grid(), file, {}, ImageFormat::pgm,

@@ -66,6 +66,28 @@ TEST(PairwiseConsistency, IsTheSquaredDistanceInSigmas) {
   EXPECT_NEAR(inconsistency(a, b, submaps), 0.09 / (2.0 * 0.0004), 1e-6);
 }
 
+// A metre from each submap to the next, and a second drive that began 1 m beside submap 2: submap 9 lies at (3, 1). The
+// way from there to submap 7 goes by the fork, and is far where the first drive was long before.
+TEST(PairwiseConsistency, GoesByTheForkWhereAMapWasContinued) {
+  std::vector<Submap> submaps(10);
+  for (Submap& submap : submaps) submap.X_PS.X = {1.0, 0.0, 0.0};
+  submaps[8].found_in = 2;
+  submaps[8].X_PS.X = {0.0, 1.0, 0.0};
+  Loop a;
+  a.edge = {3, 7, {{4.0, 0.0, 0.0}, isotropic(0.02, 0.005)}, true};
+  Loop b;
+  b.edge = {4, 9, {{-1.0, 1.0, 0.0}, isotropic(0.02, 0.005)}, true};
+  EXPECT_NEAR(inconsistency(a, b, submaps), 0.0, 1e-9);
+  b.edge.X.X.x += 0.3;
+  EXPECT_NEAR(inconsistency(a, b, submaps), inconsistency(b, a, submaps), 1e-6);
+  EXPECT_GT(inconsistency(a, b, submaps), 11.3);
+  std::vector<Submap> longer(16);
+  longer[15].found_in = 0;
+  a.edge.to = 14;
+  b.edge.to = 15;
+  EXPECT_TRUE(std::isinf(inconsistency(a, b, longer)));
+}
+
 TEST(PairwiseConsistency, AFalseLoopHasNoSupporters) {
   int all = 0;
   int false_ones = 0;

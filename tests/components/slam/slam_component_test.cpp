@@ -18,54 +18,19 @@
 #include "components/files/map_file.hpp"
 #include "components/messages/geometry.hpp"
 #include "components/messages/grid.hpp"
-#include "components/model/differential_drive.hpp"
-#include "components/world/ray.hpp"
 #include "tests/components/service_calls.hpp"
+#include "tests/components/slam/slam_room.hpp"
 
 namespace bw {
 namespace {
+
+using namespace slam::test;
 
 using nav_msgs::srv::GetMap;
 using sensor_msgs::msg::LaserScan;
 using slam_toolbox::srv::Pause;
 using slam_toolbox::srv::Reset;
 using slam_toolbox::srv::SaveMap;
-
-/// 8 m by 6 m, with a cupboard that tells its sides apart. The robot starts at the origin.
-const std::vector<Segment> kRoom = {{{-4.0, -1.5}, {4.0, -1.5}}, {{4.0, -1.5}, {4.0, 4.5}},
-                                    {{4.0, 4.5}, {-4.0, 4.5}},   {{-4.0, 4.5}, {-4.0, -1.5}},
-                                    {{-4.0, 3.5}, {-2.0, 3.5}},  {{-2.0, 3.5}, {-2.0, 4.5}},
-                                    {{2.6, -1.5}, {2.6, -1.0}},  {{2.6, -1.0}, {4.0, -1.0}}};
-constexpr double kSpeed = 0.5;
-constexpr double kRadius = 1.5;
-constexpr Pose2 kMount{0.15, 0.0, std::numbers::pi};  // a scanner that looks back
-
-Pose2 truth_at(double t) { return advance_exact({}, {kSpeed, kSpeed / kRadius}, t); }
-Pose2 odometry_at(double t) { return advance_exact({}, {0.97 * kSpeed, 1.02 * kSpeed / kRadius}, t); }
-
-/// Who stands in the room for all the time, if anybody does.
-const Disc kPerson{{-2.5, 1.0}, 0.25};
-
-LaserScan scan_at(double t, Time stamp, bool person) {
-  LaserScan scan;
-  scan.header(make_header("laser", stamp));
-  scan.angle_min(-static_cast<float>(std::numbers::pi));
-  scan.angle_increment(static_cast<float>(2.0 * std::numbers::pi / 360.0));
-  scan.angle_max(scan.angle_min() + 359.0F * scan.angle_increment());
-  scan.range_min(0.05F);
-  scan.range_max(12.0F);
-  const Pose2 X_ML = truth_at(t) * kMount;
-  for (int i = 0; i < 360; ++i) {
-    const double angle =
-        static_cast<double>(scan.angle_min()) + i * static_cast<double>(scan.angle_increment());
-    double range = std::numeric_limits<double>::infinity();
-    for (const Segment& wall : kRoom)
-      range = std::min(range, ray_hit(X_ML.position(), direction(X_ML.theta + angle), wall));
-    if (person) range = std::min(range, ray_hit(X_ML.position(), direction(X_ML.theta + angle), kPerson));
-    scan.ranges().push_back(static_cast<float>(range));
-  }
-  return scan;
-}
 
 struct Seen {
   std::vector<nav_msgs::msg::OccupancyGrid> maps;
@@ -122,7 +87,7 @@ Seen run(const Script& script) {
           }
           // Who is tracked is so from before the first scan.
           if (tick.sequence % 5 == 0 && (!script.tracked || tick.sequence > 5))
-            scan.publish(scan_at(t, tick.now, script.person));
+            scan.publish(room_scan(truth_at(t), tick.now, script.person));
           const double late = t - script.scan_delay;
           if (late < 0.0) return;
           nav_msgs::msg::Odometry message;

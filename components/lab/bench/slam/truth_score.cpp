@@ -64,10 +64,9 @@ TrajectoryError trajectory_error(const std::vector<Pose2>& estimated, const std:
 }
 
 LoopFaults loop_faults(const Slam& slam, const TruthOfScans& truth) {
-  const LoopClosing& closing = slam.loop_closing();
   // A submap's frame is the pose of its first scan.
   const auto true_pose = [&](std::size_t submap) {
-    return truth.at(slam.nodes()[closing.submaps()[submap].first_node].time);
+    return truth.at(slam.nodes()[slam.map()[submap].first_node].time);
   };
   LoopFaults faults;
   for (const Loop& loop : slam.loops()) {
@@ -77,7 +76,7 @@ LoopFaults loop_faults(const Slam& slam, const TruthOfScans& truth) {
     if (is_beyond(error, 0.2, 1.0)) ++faults.wrong;
     if (!is_beyond(error, 1.0, 10.0)) continue;
     ++faults.gross;
-    if (weight_left(loop.edge, closing.X_MS()) >= kKept) ++faults.gross_kept;
+    if (weight_left(loop.edge, slam.X_MS()) >= kKept) ++faults.gross_kept;
   }
   return faults;
 }

@@ -1,0 +1,117 @@
+// Graph files that were cut and changed: each is refused in words, or is a graph that SLAM goes on with. Nothing
+// crashes, and nothing is allocated from a length that nobody checked.
+//
+//   BANDWAGON_GRAPH_MUTATIONS=1000000 build/asan/bin/test_slam_graph_bad_input       the full count
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/components/slam/graph_samples.hpp"
+#include "tests/runtime/largest_allocation.hpp"
+
+namespace bw::slam {
+namespace {
+
+class Mutator {
+ public:
+  explicit Mutator(std::uint64_t seed) : random_(seed) {}
+
+  /// Half of them with right checksums, as somebody would make who means it.
+  std::string operator()(std::string bytes) {
+    if (below(8) == 0) bytes.resize(below(bytes.size()));
+    for (std::size_t k = 1 + below(4); k > 0 && !bytes.empty(); --k) change(bytes);
+    return below(2) == 0 ? bytes : test::sealed(std::move(bytes));
+  }
+  std::size_t below(std::size_t end) { return static_cast<std::size_t>(random_() % end); }
+
+ private:
+  void change(std::string& bytes) {
+    const std::size_t at = below(bytes.size());
+    switch (below(7)) {
+      case 0:
+        bytes[at] = static_cast<char>(random_());
+        return;
+      case 1:
+        bytes[at] = static_cast<char>(bytes[at] ^ (1 << below(8)));
+        return;
+      case 2:  // what may be a length, or an index
+        put(bytes, at, below(2) == 0 ? std::string("\xff\xff\xff\x7f") : std::string("\xff\xff\xff\xff"));
+        return;
+      case 3:  // no number, and a large one
+        put(bytes, at,
+            below(2) == 0 ? std::string("\0\0\0\0\0\0\xf8\x7f", 8) : std::string("\0\0\0\0\0\0\x50\x7e", 8));
+        return;
+      case 4:
+        put(bytes, at, std::string(8, '\0'));
+        return;
+      case 5:  // a piece is missing
+        bytes.erase(at, below(64));
+        return;
+      default:  // or comes twice
+        bytes.insert(at, bytes.substr(below(bytes.size()), below(64)));
+    }
+  }
+  static void put(std::string& bytes, std::size_t at, const std::string& what) {
+    bytes.replace(at, std::min(what.size(), bytes.size() - at), what);
+  }
+
+  std::mt19937_64 random_;
+};
+
+/// A graph that was read goes on: two scans, one of them far away, and it can be saved again.
+void go_on(SavedGraph graph) {
+  const std::string bytes = graph_bytes(graph);
+  const SlamOptions options = graph.slam.options;
+  Slam slam(std::move(graph.slam));
+  test::Scanner scanner(test::square_of_corridors(), 0.01, 9, {.beams = 60});
+  const Scan scan = scanner.scan(Time::seconds(1000.0), {1.0, -4.0, 0.0}, options);
+  for (const Pose2& X_OB : {Pose2{6.0, 0.0, 0.1}, Pose2{8.0, 3.0, 1.0}}) {
+    slam.add(scan, X_OB);
+    while (slam.advance()) {
+    }
+  }
+  static_cast<void>(graph_bytes({{}, slam.save()}));
+}
+
+TEST(GraphMutation, ACutFileIsRefusedInWords) {
+  const std::string& whole = test::small_graph();
+  for (std::size_t size = 0; size < whole.size(); size += 97) {
+    // With the size of what is left in its header, too: then the sections tell.
+    for (const std::string& cut : {whole.substr(0, size), test::sealed(whole.substr(0, size))}) {
+      const GraphReading reading = read_graph(cut);
+      ASSERT_FALSE(reading.graph) << size;
+      ASSERT_NE(reading.fault.find("byte "), std::string::npos) << reading.fault;
+    }
+  }
+}
+
+TEST(GraphMutation, IsRefusedInWordsOrGoneOnWith) {
+  const char* asked = std::getenv("BANDWAGON_GRAPH_MUTATIONS");
+  const int count = asked == nullptr ? 20000 : std::atoi(asked);
+  const std::string& whole = test::small_graph();
+  Mutator mutate(35);
+  int read = 0;
+  for (int i = 0; i < count; ++i) {
+    const std::string bytes = mutate(whole);
+    largest_allocation = 0;
+    GraphReading reading = read_graph(bytes);
+    ASSERT_LE(largest_allocation, 2 * bytes.size() + 4096) << "mutation " << i;
+    if (!reading.graph) {
+      ASSERT_NE(reading.fault.find("byte "), std::string::npos) << "mutation " << i << ": " << reading.fault;
+      continue;
+    }
+    ++read;
+    ASSERT_EQ(graph_bytes(*reading.graph), bytes) << "mutation " << i;
+    if (read % 50 == 0) go_on(std::move(*reading.graph));
+  }
+  std::printf("%d mutations of %zu bytes: %d refused, %d read\n", count, whole.size(), count - read, read);
+  EXPECT_GT(read, count / 20);
+  EXPECT_GT(count - read, count / 2);
+}
+
+}  // namespace
+}  // namespace bw::slam
