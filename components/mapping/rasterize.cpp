@@ -14,6 +14,11 @@ int clamped_cell(double value, double origin, double resolution, int count) {
       std::clamp(std::floor((value - origin) / resolution), -1.0, static_cast<double>(count)));
 }
 
+// [m] a corner on the line between two rows falls into one by a division, and the line itself comes of a
+// product: by as much as they may differ, a row is taken to be higher. Else a wall along such a line would be
+// in no row at all.
+constexpr double kRounding = 1e-9;
+
 struct Interval {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
@@ -51,8 +56,8 @@ void draw_convex(OccupancyGrid& grid, const std::vector<Vector2>& corners) {
       std::min(clamped_cell(y.high, grid.origin.y(), grid.resolution, grid.height), grid.height - 1);
   for (int row = first; row <= last; ++row) {
     // Inside one row of cells a convex shape spans one interval of x, found from its edges.
-    const double bottom = grid.origin.y() + row * grid.resolution;
-    const double top = bottom + grid.resolution;
+    const double bottom = grid.origin.y() + row * grid.resolution - kRounding;
+    const double top = bottom + grid.resolution + 2.0 * kRounding;
     Interval x;
     for (std::size_t i = 0; i < corners.size(); ++i) {
       include_edge(corners[i], corners[(i + 1) % corners.size()], bottom, top, x);

@@ -20,7 +20,7 @@ constexpr const char* kProgram = "bandwagon-lab";
                        [](cli::Verb) {}) &&
     cli::register_verb(
         cli::VerbGroup::measure, "bench",
-        "Of bandwagon-lab: local planners on benchmark scenes, recordings, and people tracked in them",
+        "Of bandwagon-lab: planners on benchmark scenes; recordings: speed, people tracked in them, SLAM",
         [](cli::Verb) {}) &&
     cli::register_verb(cli::VerbGroup::measure, "reproduce",
                        "Of bandwagon-lab: a table or figure of the dissertation again", [](cli::Verb) {}) &&

@@ -19,7 +19,7 @@ WheelStep step_between(const RecordedDrive& drive, const OdometrySample& from, c
   return step;
 }
 
-void count_from(std::optional<Time> start, RecordedDrive& drive) {
+Time count_from(std::optional<Time> start, RecordedDrive& drive) {
   const auto each = [&drive](const auto& action) {
     for (auto& sample : drive.odometry) action(sample.time);
     for (auto& sample : drive.imu) action(sample.time);
@@ -29,9 +29,10 @@ void count_from(std::optional<Time> start, RecordedDrive& drive) {
     for (auto& sample : drive.truth) action(sample.time);
   };
   if (!start) each([&start](const Time& time) { start = std::min(start.value_or(time), time); });
-  if (!start) return;
+  if (!start) return {};
   const Duration before = *start - Time{};
   each([before](Time& time) { time = time - before; });
+  return *start;
 }
 
 OdometrySample advance(const OdometrySample& sample, const Twist2& twist, Time time) {

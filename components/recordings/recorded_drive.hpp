@@ -91,8 +91,8 @@ struct RecordedDrive {
   double wheel_variance = 0.0;    ///< declared for the speed of a wheel [m^2/s^2]; 0: not declared
 };
 
-/// Makes stamps count from `start`, or from the first of them.
-void count_from(std::optional<Time> start, RecordedDrive& drive);
+/// Makes stamps count from `start`, or from the first of them, and returns what they count from.
+Time count_from(std::optional<Time> start, RecordedDrive& drive);
 
 /// Travel of the wheels between two samples of the drive, in the time of the log: with the covariance that
 /// the log declares, else by variance_per_metre (wheel_step.hpp).

@@ -1,9 +1,14 @@
 #include "components/slam/drive_replay.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <map>
 #include <optional>
 #include <stdexcept>
+#include <utility>
+
+#include <Eigen/Geometry>
 
 #include "components/model/sweep_motion.hpp"
 
@@ -28,7 +33,24 @@ class OdometryAt {
     return pose_between(before.X_OB, after->X_OB, (time - before.time).to_seconds() / gap);
   }
 
+  /// What there is instead of a pose at `time`.
+  std::string around(Time time) const {
+    if (time < samples_.front().time)
+      return "it begins " + seconds(samples_.front().time - time) +
+             " later: start to record it before the laser";
+    if (time > samples_.back().time)
+      return "it ends " + seconds(time - samples_.back().time) +
+             " earlier: record it to the end, with stamps of the laser's clock";
+    return "it has a gap there, longer than 1 s: look why the base was silent";
+  }
+
  private:
+  static std::string seconds(Duration d) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3f s", d.to_seconds());
+    return text;
+  }
+
   const std::vector<OdometrySample>& samples_;
 };
 
@@ -38,36 +60,90 @@ struct Mount {
   bool upside_down = false;
 };
 
-std::optional<Mount> mount_of(const RecordedDrive& drive, const std::string& frame) {
-  Mount mount;
-  if (frame.empty() || frame == "base_link") return mount;
-  for (const FrameMount& m : drive.mounts) {
-    if (m.child != frame) continue;
-    const double x = m.rotation.x();
-    const double y = m.rotation.y();
-    const double z = m.rotation.z();
-    const double w = m.rotation.w();
-    // The scanner's x axis, seen from above, and where its z axis points.
-    mount.X_BL = {m.translation.x(), m.translation.y(),
-                  std::atan2(2.0 * (x * y + w * z), 1.0 - 2.0 * (y * y + z * z))};
-    mount.upside_down = 1.0 - 2.0 * (x * x + y * y) < 0.0;
-    return mount;
-  }
-  return std::nullopt;
+bool is_base(const std::string& frame) {
+  return frame.empty() || frame == "base_link" || frame == "base_footprint";
 }
 
-}  // namespace
+std::optional<Mount> mount_of(const RecordedDrive& drive, const std::string& frame) {
+  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();  // of the scanner in `at`
+  std::string at = frame;
+  for (std::size_t steps = 0; !is_base(at); ++steps) {
+    const auto mount = std::find_if(drive.mounts.begin(), drive.mounts.end(),
+                                    [&at](const FrameMount& m) { return m.child == at; });
+    if (mount == drive.mounts.end() || steps > drive.mounts.size()) return std::nullopt;
+    const Eigen::Quaterniond rotation(mount->rotation.w(), mount->rotation.x(), mount->rotation.y(),
+                                      mount->rotation.z());
+    X = Eigen::Translation3d(mount->translation) * rotation.normalized() * X;
+    at = mount->parent;
+  }
+  // The scanner's x axis, seen from above, and where its z axis points.
+  const Eigen::Matrix3d R = X.linear();
+  return Mount{{X.translation().x(), X.translation().y(), std::atan2(R(1, 0), R(0, 0))}, R(2, 2) < 0.0};
+}
 
-SlamReplay replay(const RecordedDrive& drive, const SlamOptions& options, const SlamProgress& progress) {
-  if (drive.scans.empty()) throw std::runtime_error("the drive has no laser scans");
-  if (drive.odometry.empty()) throw std::runtime_error("the drive has no odometry");
-  SlamReplay result(options);
-  const OdometryAt odometry(drive.odometry);
-  std::map<std::string, std::size_t> dropped;
-  for (std::size_t n = 0; n < drive.scans.size(); ++n) {
-    if (progress && !progress(n, drive.scans.size())) break;
-    const ScanSample& sample = drive.scans[n];
-    const std::optional<Mount> mount = mount_of(drive, sample.frame);
+// What happened to scans: how often, and when first.
+class Dropped {
+ public:
+  void add(const std::string& what, const ScanSample& scan, const std::string& advice) {
+    auto [entry, is_new] = entries_.try_emplace(what);
+    ++entry->second.first;
+    if (!is_new) return;
+    char at[32];
+    std::snprintf(at, sizeof at, "%.3f s", scan.time.to_seconds());
+    entry->second.second = "; first at " + std::string(at) + " in frame " +
+                           (scan.frame.empty() ? "(without name)" : scan.frame) + ": " + advice;
+  }
+  std::vector<std::string> sentences() const {
+    std::vector<std::string> all;
+    for (const auto& [what, entry] : entries_)
+      all.push_back(std::to_string(entry.first) + " " + what + entry.second);
+    return all;
+  }
+
+ private:
+  std::map<std::string, std::pair<std::size_t, std::string>> entries_;
+};
+
+const char* advice_for(SweepFault fault) {
+  switch (fault) {
+    case SweepFault::bad_angles:
+      return "angle_min and angle_increment must be finite, the step not zero";
+    case SweepFault::bad_limits:
+      return "the driver must tell range_min and range_max of the scanner";
+    case SweepFault::wrong_length:
+      return "there must be two beams or more, and not more than go round once";
+    default:
+      return "look at the driver of the laser";
+  }
+}
+
+class Replay {
+ public:
+  Replay(const RecordedDrive& drive, const SlamOptions& options, const ReplayHooks& hooks)
+      : drive_(drive), options_(options), hooks_(hooks), odometry_(drive.odometry), result_(options) {}
+
+  void add(const ScanSample& sample) {
+    const double before = now();
+    const std::optional<Tracked> tracked = track(sample);
+    if (!tracked) return;
+    if (hooks_.clock) result_.scan_times.push_back(now() - before);
+    work_on_loops();
+    ReplayedScan& scan = result_.scans.back();
+    scan.told = result_.slam.pose(tracked->placement);
+    scan.covariance = result_.slam.covariance(*tracked);
+    if (hooks_.after_scan) hooks_.after_scan(result_);
+  }
+
+  SlamReplay finish() {
+    result_.slam.finish();
+    result_.left_out = dropped_.sentences();
+    return std::move(result_);
+  }
+
+ private:
+  double now() const { return hooks_.clock ? hooks_.clock() : 0.0; }
+
+  std::optional<Tracked> track(const ScanSample& sample) {
     LaserSweep sweep;
     const double half =
         0.5 * static_cast<double>(sample.geometry.time_increment) * static_cast<double>(sample.ranges.size());
@@ -78,38 +154,63 @@ SlamReplay replay(const RecordedDrive& drive, const SlamOptions& options, const 
     sweep.range_min = static_cast<double>(sample.geometry.range_min);
     sweep.range_max = static_cast<double>(sample.geometry.range_max);
     sweep.ranges = sample.ranges;
-    if (mount) {
+    if (const std::optional<Mount> mount = mount_of(drive_, sample.frame)) {
       sweep.X_FL = mount->X_BL;
       if (mount->upside_down) {
         sweep.angle_min = -sweep.angle_min;
         sweep.angle_increment = -sweep.angle_increment;
       }
     } else {
-      ++dropped["frame " + sample.frame + " has no transform to base_link: taken as if it were there"];
+      dropped_.add("scans of frame " + sample.frame + " taken as if it were base_link", sample,
+                   "no transform leads there: record /tf_static with one from base_link");
     }
     if (const SweepFault fault = fault_of(sweep); fault != SweepFault::none) {
-      ++dropped[std::string("scans left out: ") + to_text(fault)];
-      continue;
+      dropped_.add(std::string("scans left out: ") + to_text(fault), sample, advice_for(fault));
+      return std::nullopt;
     }
-    const std::optional<Pose2> X_OB = odometry(sweep.time);
+    const std::optional<Pose2> X_OB = odometry_(sweep.time);
     if (!X_OB) {
-      ++dropped["scans left out: no odometry at their time"];
-      continue;
+      dropped_.add("scans left out: no odometry at their time", sample, odometry_.around(sweep.time));
+      return std::nullopt;
     }
     const Pose2 X_BO = inverse(*X_OB);
     const std::vector<Pose2> poses = beam_poses(sweep, sweep.X_FL, [&](Time t) -> std::optional<Pose2> {
-      const std::optional<Pose2> X = odometry(t);
+      const std::optional<Pose2> X = odometry_(t);
       return X ? std::optional<Pose2>(X_BO * *X) : std::nullopt;
     });
     sweep.beam_poses = poses;
-    const Tracked tracked = result.slam.add(scan_of(sweep, options), *X_OB);
-    while (result.slam.advance()) {
-    }
-    result.scans.push_back({sweep.time, tracked.placement, result.slam.pose(tracked.placement), *X_OB});
+    Tracked tracked = result_.slam.add(scan_of(sweep, options_), *X_OB);
+    result_.scans.push_back({.time = sweep.time, .placement = tracked.placement, .X_OB = *X_OB});
+    return tracked;
   }
-  result.slam.finish();
-  for (const auto& [what, times] : dropped) result.left_out.push_back(std::to_string(times) + " " + what);
-  return result;
+
+  void work_on_loops() {
+    for (bool more = true; more;) {
+      const double before = now();
+      more = result_.slam.advance();
+      if (hooks_.clock && more) result_.piece_times.push_back(now() - before);
+    }
+  }
+
+  const RecordedDrive& drive_;
+  const SlamOptions& options_;
+  const ReplayHooks& hooks_;
+  OdometryAt odometry_;
+  Dropped dropped_;
+  SlamReplay result_;
+};
+
+}  // namespace
+
+SlamReplay replay(const RecordedDrive& drive, const SlamOptions& options, const ReplayHooks& hooks) {
+  if (drive.scans.empty()) throw std::runtime_error("the drive has no laser scans");
+  if (drive.odometry.empty()) throw std::runtime_error("the drive has no odometry");
+  Replay replayed(drive, options, hooks);
+  for (std::size_t n = 0; n < drive.scans.size(); ++n) {
+    if (hooks.progress && !hooks.progress(n, drive.scans.size())) break;
+    replayed.add(drive.scans[n]);
+  }
+  return replayed.finish();
 }
 
 }  // namespace bw::slam

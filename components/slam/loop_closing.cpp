@@ -9,27 +9,37 @@ namespace bw::slam {
 namespace {
 
 constexpr std::size_t kOverlapping =
-    3;  // [submaps] nearer along the drive, scans were matched with each other
+    3;                               // [submaps] nearer along the drive, scans were matched with each other
+constexpr std::size_t kBefore = 2;   // [submaps] before the newest: it ended where the newest begins
+constexpr std::size_t kInView = 20;  // [submaps] along the drive; beyond, what is seen is seen again
 constexpr std::size_t kMostCandidates = 6;
 constexpr double kWide = 2.0;  // [m] beyond, a search is dear and finds look-alikes
 constexpr double kAllRound = 0.2;
 constexpr std::size_t kMostFar = 32;
-constexpr std::size_t kImages = 6;          // nodes of a submap that look through the other
+constexpr std::size_t kImages = 8;          // nodes that look through an earlier submap
 constexpr double kSure = 0.5;               // [m] a search so narrow needs no second loop
 constexpr std::size_t kSupport = 3;         // loops that agree
 constexpr std::size_t kWaiting = 200;       // loops that wait for support
+constexpr double kAgrees = 0.5;             // chi^2 of a loop that the poses keep to already
 constexpr double kJointNoise = 0.003;       // [m] of a step between submaps, beyond what is summed
 constexpr double kJointTurnNoise = 0.0015;  // [rad]
 
 }  // namespace
 
+// What loops are searched in: walls in the newest submap, and some of the scans that saw them.
+struct LoopClosing::View {
+  std::vector<Surface> walls;
+  std::vector<const RangeImage*> images;
+  std::vector<Pose2> X_SB;
+  std::optional<LoopSearch> loops;
+};
+
 struct LoopClosing::Search {
   std::vector<UncertainPose> others;
   std::vector<std::size_t> candidates;
   std::size_t next = 0;
-  std::vector<const RangeImage*> images;
-  std::vector<Pose2> X_SB;
-  std::optional<LoopSearch> loops;
+  View newest;
+  View with_before;  // and the one before: what was seen of a place is often shared by two submaps
 };
 
 LoopClosing::LoopClosing(const SlamOptions& options, const std::deque<Node>& nodes, State state)
@@ -68,7 +78,9 @@ bool LoopClosing::advance() {
   if (search_->next < search_->candidates.size()) {
     const std::size_t earlier = search_->candidates[search_->next++];
     ++counts_.searched;
-    if (auto loop = search_->loops->find(submaps_[earlier], search_->others[earlier])) {
+    const bool again = earlier + kInView < submaps_.size();
+    LoopSearch& loops = again ? look(search_->with_before, kBefore) : look(search_->newest, 0);
+    if (auto loop = loops.find(submaps_[earlier], search_->others[earlier])) {
       ++counts_.found;
       loop->edge.from = earlier;
       loop->edge.to = submaps_.size() - 1;
@@ -76,10 +88,16 @@ bool LoopClosing::advance() {
     }
     return true;
   }
-  counts_.visited += search_->loops->visited();
+  for (const View* view : {&search_->newest, &search_->with_before})
+    if (view->loops) counts_.visited += view->loops->visited();
   search_.reset();
-  if (accept()) optimisation_.emplace(edges_, X_MS_);
+  if (accept()) settle();
   return true;
+}
+
+void LoopClosing::settle() {
+  if (!settled_) optimisation_.emplace(edges_, X_MS_);
+  settled_ = true;
 }
 
 void LoopClosing::take_up() {
@@ -104,20 +122,34 @@ void LoopClosing::take_up() {
 
 void LoopClosing::begin_search() {
   const std::size_t later = submaps_.size() - 1;
-  const Submap& submap = submaps_[later];
   search_ = std::make_shared<Search>();
   Search& search = *search_;
   search.others = relative_to(later, edges_, X_MS_);
   newest_in_first_ = inverse(search.others.front());
   search.candidates = candidates(search.others);
-  const std::size_t stride = std::max<std::size_t>(1, (submap.last_node - submap.first_node) / kImages);
-  for (std::size_t n = submap.first_node; n < submap.last_node && n < nodes_.size(); n += stride) {
+}
+
+LoopSearch& LoopClosing::look(View& view, std::size_t before) const {
+  if (view.loops) return *view.loops;
+  const std::size_t later = submaps_.size() - 1;
+  const Submap& submap = submaps_[later];
+  // Frames of the ones before, in the newest; the first scan of a submap may have been placed in the second one
+  // before it, which ended there.
+  std::vector<Pose2> X_SK{Pose2{}};
+  for (std::size_t k = later; k > 0 && !submaps_[k].found_in && X_SK.size() <= before + 2; --k)
+    X_SK.push_back(X_SK.back() * inverse(submaps_[k].X_PS.X));
+  before = std::min(before, X_SK.size() - 1);
+  const Submap& first = submaps_[later - before];
+  view.walls = submap.surfaces;
+  if (before > 0)
+    for (const Surface& surface : first.surfaces) view.walls.push_back(moved(surface, X_SK[before]));
+  const std::size_t stride = std::max<std::size_t>(1, (submap.last_node - first.first_node) / kImages);
+  for (std::size_t n = first.first_node; n < submap.last_node && n < nodes_.size(); n += stride) {
     const Placement& placement = nodes_[n].placement;
-    search.images.push_back(&nodes_[n].ranges);
-    search.X_SB.push_back(placement.submap == later ? placement.X_SB
-                                                    : inverse(submap.X_PS.X) * placement.X_SB);
+    view.images.push_back(&nodes_[n].ranges);
+    view.X_SB.push_back(X_SK[later - placement.submap] * placement.X_SB);
   }
-  search.loops.emplace(submap, search.images, search.X_SB, options_);
+  return view.loops.emplace(view.walls, view.images, view.X_SB, options_);
 }
 
 std::vector<std::size_t> LoopClosing::candidates(const std::vector<UncertainPose>& others) {
@@ -179,7 +211,8 @@ bool LoopClosing::accept() {
       left.push_back(pending_[i]);
       continue;
     }
-    any = true;
+    if (disagreement(pending_[i].edge, X_MS_) > kAgrees) any = true;
+    settled_ = false;
     ++counts_.accepted;
     edges_.push_back(pending_[i].edge);
     accepted_.push_back(pending_[i]);

@@ -48,6 +48,8 @@ class LoopClosing {
 
   /// Compares one pair of submaps, or goes on with the graph: below a millisecond or a few. False: nothing is left to do.
   bool advance();
+  /// Begins an optimisation where loops came since the last one: those that the poses agree with wait for it.
+  void settle();
 
   /// Of submaps that were taken up: those that wait are not among them.
   const std::vector<Submap>& submaps() const { return submaps_; }
@@ -63,12 +65,15 @@ class LoopClosing {
   std::int64_t revision() const { return counts_.optimisations; }
 
  private:
+  struct View;
   struct Search;
   void take_up();
   void begin_search();
+  /// Walls of the newest submap and, if `before` is not 0, of the one so many before it on the same drive.
+  LoopSearch& look(View& view, std::size_t before) const;
   /// Submaps that the newest may have seen again; others: their poses in it.
   std::vector<std::size_t> candidates(const std::vector<UncertainPose>& others);
-  bool accept();
+  bool accept();  ///< true: a loop that poses must move for
   /// So near along the drive that their scans were matched with each other.
   bool overlap(std::size_t earlier, std::size_t later) const;
 
@@ -85,6 +90,7 @@ class LoopClosing {
   UncertainPose newest_in_first_;
   std::size_t turn_ = 0;  ///< of the candidates that are far
   LoopCounts counts_;
+  bool settled_ = true;  ///< no loop came since the last optimisation began
 };
 
 }  // namespace bw::slam

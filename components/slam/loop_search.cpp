@@ -102,9 +102,9 @@ double seen_through(std::span<const Surface> surfaces, std::span<const RangeImag
   return in_view < 30 ? 0.0 : static_cast<double>(through) / in_view;
 }
 
-LoopSearch::LoopSearch(const Submap& later, std::span<const RangeImage* const> images,
+LoopSearch::LoopSearch(std::span<const Surface> walls, std::span<const RangeImage* const> images,
                        std::span<const Pose2> X_SB, const SlamOptions& options)
-    : later_(later), images_(images), X_SB_(X_SB), options_(options), grids_(later.surfaces) {}
+    : walls_(walls), centre_(centre(walls)), images_(images), X_SB_(X_SB), options_(options), grids_(walls) {}
 
 std::optional<Loop> LoopSearch::find(const Submap& earlier, const UncertainPose& expected) {
   const auto sigmas = [&](int axis) { return kSigmas * std::sqrt(expected.covariance(axis, axis)); };
@@ -119,20 +119,20 @@ std::optional<Loop> LoopSearch::find(const Submap& earlier, const UncertainPose&
       start_at = 0.5 * (low + high);
       half = std::max(kLeastWindow, 0.5 * (high - low));
     };
-    const Vector2 offset = later_.centre - rotate(expected.X, earlier.centre);
+    const Vector2 offset = centre_ - rotate(expected.X, earlier.centre);
     within(expected.X.x, window.x, offset.x(), start.x, window.x);
     within(expected.X.y, window.y, offset.y(), start.y, window.y);
   }
   const auto found =
       branch_and_bound(grids_, thinned(earlier.surfaces), start, window, kLeastScore, visited_);
   if (!found) return std::nullopt;
-  if (!map_) map_.emplace(options_.resolution, later_.surfaces);
-  const std::vector<SurfacePoint> walls = points_of(earlier.surfaces);
-  Refined refined = refine(*map_, walls, found->X, nullptr, kIterationsOfLoop);
+  if (!map_) map_.emplace(options_.resolution, walls_);
+  const std::vector<SurfacePoint> points = points_of(earlier.surfaces);
+  Refined refined = refine(*map_, points, found->X, nullptr, kIterationsOfLoop);
   if (!refined.unseen.isZero()) {
     // Along a corridor any place fits: the one that was expected is taken.
     const Vector2 along = refined.unseen * refined.unseen.dot(expected.X.position() - refined.X.position());
-    refined = refine(*map_, walls, {refined.X.x + along.x(), refined.X.y + along.y(), refined.X.theta},
+    refined = refine(*map_, points, {refined.X.x + along.x(), refined.X.y + along.y(), refined.X.theta},
                      nullptr, kIterationsOfLoop);
   }
   if (refined.inliers < kLeastInliers) return std::nullopt;

@@ -36,12 +36,13 @@ Vector2 centre(std::span<const Surface> surfaces);
 double seen_through(std::span<const Surface> surfaces, std::span<const RangeImage* const> images,
                     std::span<const Pose2> X_SB);
 
-/// Looks for the newest submap among earlier ones: what it needs of the newest is made once.
+/// Looks for earlier submaps in walls seen later: what it needs of these is made once.
 class LoopSearch {
  public:
-  /// `images`: of some of the later submap's nodes; X_SB: their poses in it. All must outlive this.
-  LoopSearch(const Submap& later, std::span<const RangeImage* const> images, std::span<const Pose2> X_SB,
-             const SlamOptions& options);
+  /// `walls`: in the later submap; `images`: of some of the nodes that saw them; X_SB: their poses in it. All must
+  /// outlive this.
+  LoopSearch(std::span<const Surface> walls, std::span<const RangeImage* const> images,
+             std::span<const Pose2> X_SB, const SlamOptions& options);
 
   /// `expected`: pose of `earlier` in the later submap. Nothing where nothing fits.
   std::optional<Loop> find(const Submap& earlier, const UncertainPose& expected);
@@ -49,7 +50,8 @@ class LoopSearch {
   std::int64_t visited() const { return visited_; }  ///< squares and poses of branch and bound
 
  private:
-  const Submap& later_;
+  std::span<const Surface> walls_;
+  Vector2 centre_;
   std::span<const RangeImage* const> images_;
   std::span<const Pose2> X_SB_;
   SlamOptions options_;

@@ -44,7 +44,7 @@ class DynamicCovarianceScaling final : public ceres::LossFunction {
   double scaling_;
 };
 
-double weight_left(double s) {
+double weight_of(double s) {
   if (s <= kScaling) return 1.0;
   const double half = 2.0 * kScaling / (kScaling + s);
   return half * half;
@@ -95,6 +95,10 @@ class EdgeResidual final : public ceres::SizedCostFunction<3, 3, 3> {
 double disagreement(const Edge& edge, const std::vector<Pose2>& poses) {
   const Eigen::Vector3d e = difference(inverse(poses[edge.from]) * poses[edge.to], edge.X.X);
   return (whitening(edge.X.covariance) * e).squaredNorm();
+}
+
+double weight_left(const Edge& loop, const std::vector<Pose2>& poses) {
+  return weight_of(disagreement(loop, poses));
 }
 
 struct Optimisation::Problem {
@@ -171,7 +175,7 @@ std::vector<UncertainPose> relative_to(std::size_t from, const std::vector<Edge>
   };
   std::vector<std::vector<Neighbour>> neighbours(poses.size());
   for (const Edge& edge : edges) {
-    if (edge.loop && weight_left(disagreement(edge, poses)) < kUntrusted) continue;
+    if (edge.loop && weight_left(edge, poses) < kUntrusted) continue;
     // The way goes by the poses as they are; of the edge the covariance alone.
     const Pose2 X = inverse(poses[edge.from]) * poses[edge.to];
     neighbours[edge.from].push_back({edge.to, {X, edge.X.covariance}});

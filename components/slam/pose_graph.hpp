@@ -22,6 +22,9 @@ struct Edge {
 /// Squared Mahalanobis distance of an edge from the poses; three degrees of freedom.
 double disagreement(const Edge& edge, const std::vector<Pose2>& poses);
 
+/// Share of its weight that is left to a loop, 1 to 0, by how far it is off (theory.md 10.10).
+double weight_left(const Edge& loop, const std::vector<Pose2>& poses);
+
 /// Finds the poses that fit best, all but the first, in short steps: a graph of 700 submaps takes some
 /// milliseconds each. Graduated: what is far off at first is let pull before it is judged (graduated
 /// non-convexity, Yang 2020; theory.md 10.10).

@@ -17,8 +17,7 @@ Slam::Slam(SlamState state)
       counts_(state.counts) {}
 
 SlamState Slam::save() {
-  while (advance()) {
-  }
+  settle();
   return {options_, counts_, {nodes_->begin(), nodes_->end()}, closing_.state(), tracking_.state()};
 }
 
@@ -33,6 +32,13 @@ Tracked Slam::add(const Scan& scan, const Pose2& X_OB) {
 
 void Slam::finish() {
   for (const Submap& submap : tracking_.finish(nodes_->size())) closing_.add(submap);
+  settle();
+}
+
+void Slam::settle() {
+  while (advance()) {
+  }
+  closing_.settle();
   while (advance()) {
   }
 }

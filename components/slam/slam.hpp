@@ -43,7 +43,8 @@ class Slam {
 
   /// A scan and where odometry was at its time, in order of time.
   Tracked add(const Scan& scan, const Pose2& X_OB);
-  /// A piece of the work on loops and the graph, of which some tens come up every half submap. False: none is left.
+  /// A piece of the work on loops and the graph, of which some tens come up every half submap. False: none is
+  /// left.
   bool advance() { return closing_.advance(); }
   /// Ends the drive: what is under way becomes submaps, and all work is done.
   void finish();
@@ -68,6 +69,9 @@ class Slam {
   /// The submap that scans are matched against: its number, and its walls, null before the first scan.
   std::size_t submap_under_way() const { return tracking_.submap(); }
   const SurfaceMap* walls_under_way() const { return tracking_.walls(); }
+
+  /// Does all work on loops, and moves poses for those that waited.
+  void settle();
 
  private:
   std::optional<ScanTracking::Joint> joint(std::size_t submap) const;

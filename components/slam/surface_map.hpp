@@ -2,6 +2,7 @@
 // the cells around the nearest of them.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,6 +24,16 @@ struct Surface {
   SurfacePoint point() const { return {x, y, normal_cos2, normal_sin2}; }
   bool operator==(const Surface&) const = default;
 };
+
+/// A surface of B, in A.
+inline Surface moved(const Surface& surface, const Pose2& X_AB) {
+  const Vector2 p = X_AB * Vector2{surface.x, surface.y};
+  const auto c = static_cast<float>(std::cos(2.0 * X_AB.theta));
+  const auto s = static_cast<float>(std::sin(2.0 * X_AB.theta));
+  return {static_cast<float>(p.x()), static_cast<float>(p.y()),
+          c * surface.normal_cos2 - s * surface.normal_sin2,
+          s * surface.normal_cos2 + c * surface.normal_sin2, surface.hits};
+}
 
 class SurfaceMap {
  public:

@@ -22,6 +22,9 @@ export XDG_CONFIG_HOME=/nowhere
 
 offers "bandwagon re" record replay reproduce
 offers "bandwagon bag co" convert
+offers "bandwagon ma" map
+offers "bandwagon map --ov" --overwrite
+offers "bandwagon bench re" relations
 offers "bandwagon run hall" hallway
 offers "bandwagon run hallway --clo" --clock
 offers "bandwagon run hallway --clock " lockstep topic wall

@@ -8,6 +8,8 @@
 #include "components/lab/bench/bench_crowdnav.hpp"
 #include "components/lab/bench/bench_people.hpp"
 #include "components/lab/bench/scaling.hpp"
+#include "components/lab/bench/slam/bench_relations.hpp"
+#include "components/lab/bench/slam/bench_slam.hpp"
 #include "components/lab/report/report_page.hpp"
 #include "runtime/cli/verb.hpp"
 #include "runtime/parameters/overrides.hpp"
@@ -211,6 +213,59 @@ void add_scaling(cli::Verb bench) {
   verb.run([scaling] { return bench_scaling(*scaling); });
 }
 
+void add_relations(cli::Verb bench) {
+  auto relations = std::make_shared<BenchRelationsArguments>();
+  cli::Verb verb = bench.verb(
+      "relations", "SLAM on a recorded drive, scored by relations between poses (Kuemmerle et al. 2009)");
+  verb.option("BAG", relations->bag, "File or folder with scans and odometry; with --columns a table")
+      .required();
+  verb.option("RELATIONS", relations->relations,
+              "Lines t1 t2 x y z roll pitch yaw; may be compressed by gzip")
+      .required();
+  verb.option("--columns", relations->columns,
+              "Reads a table by this columns file (config/imports/README.md)");
+  verb.option("--odometry-scale", relations->odometry_scale, "Steps of the odometry times this (1)")
+      .within(0.1, 10.0);
+  verb.option("--every", relations->every, "Takes one of so many scans (1)").within(1, 1000);
+  verb.option("--view", relations->view, "Takes beams within so many degrees, half on either side")
+      .within(1.0, 360.0);
+  verb.option("--set", relations->set, "slam.parameter=value, as often as needed").one_each_time();
+  verb.option("--json", relations->json, "Writes the figures here");
+  verb.run([relations] { return bench_relations(*relations); });
+}
+
+void add_slam(cli::Verb bench) {
+  auto slam = std::make_shared<BenchSlamArguments>();
+  cli::Verb verb = bench.verb("slam", "SLAM in simulated buildings, scored by the exact truth");
+  verb.option_function(
+          "--kind",
+          [slam](const std::string& name) {
+            slam->kinds.clear();
+            for (const buildings::BuildingKind kind : buildings::kBuildingKinds) {
+              if (name == "all" || name == buildings::to_text(kind)) slam->kinds.push_back(kind);
+            }
+          },
+          "office (default), corridors, loop, pillars, warehouse, or all")
+      .one_of({"office", "corridors", "loop", "pillars", "warehouse", "all"});
+  verb.option("--seeds", slam->seeds, "Buildings of each kind (1)").within(1, 10000);
+  verb.option("--first", slam->first, "Seed of the first (1)");
+  verb.option("--walkers", slam->drive.walkers, "People who walk about (0)").within(0, 1000);
+  verb.option_function(
+          "--base",
+          [slam](const std::string& name) {
+            for (const auto base : {buildings::DrivenBase::kobuki, buildings::DrivenBase::qbot2e,
+                                    buildings::DrivenBase::eddie}) {
+              if (name == buildings::to_text(base)) slam->drive.base = base;
+            }
+          },
+          "kobuki (default), qbot2e or eddie: wheels that err as the emulated ones do")
+      .one_of({"kobuki", "qbot2e", "eddie"});
+  verb.flag("--calibrated", slam->calibrated, "Wheels as `bandwagon calibrate` may leave them");
+  verb.option("--set", slam->set, "slam.parameter=value, as often as needed").one_each_time();
+  verb.option("--json", slam->json, "Writes the figures here");
+  verb.run([slam] { return bench_slam(*slam); });
+}
+
 void add_bench(cli::Verb bench) {
   add_teb(bench);
   add_crowd(bench);
@@ -219,11 +274,13 @@ void add_bench(cli::Verb bench) {
   add_bag(bench);
   add_people(bench);
   add_course(bench);
+  add_relations(bench);
+  add_slam(bench);
 }
 
 }  // namespace
 
-BW_VERB(measure, "bench", "Local planners on benchmark scenes, recordings, and people tracked in them",
+BW_VERB(measure, "bench", "Planners on benchmark scenes; recordings: speed, people tracked in them, SLAM",
         add_bench)
 
 }  // namespace bw

@@ -238,7 +238,7 @@ class DriveReader {
     counts_[topics_.truth].repeated += put_in_order(d.truth);
     std::ranges::stable_sort(d.ranges, {}, &RangeSample::time);  // of several anchors
     std::ranges::stable_sort(d.scans, {}, &ScanSample::time);    // of several scanners
-    count_from(result_.log.start, d);
+    result_.start = count_from(result_.log.start, d);
     if (!d.fixes.empty()) d.datum = d.fixes.front().position;
     for (const auto& [topic, counts] : counts_) {
       const auto tell = [&, &name = topic](std::size_t count, const char* what) {

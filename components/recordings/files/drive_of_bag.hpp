@@ -14,6 +14,7 @@ namespace bw {
 struct BagDrive {
   RecordedDrive drive;
   LogRecord log;
+  Time start;                         ///< stamp that those of the drive count from
   std::vector<std::string> left_out;  ///< sentences: what of the bag is not in the drive, and how much
 };
 

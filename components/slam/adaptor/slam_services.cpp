@@ -34,7 +34,8 @@ void SlamComponent::offer_services(Setup& setup) {
           return saved(result::RESULT_NO_MAP_RECEIEVD);
         }
         try {
-          while (slam_->advance() || painter_->update(*slam_, 1000)) {
+          slam_->settle();
+          while (painter_->update(*slam_, 1000)) {
           }
           const std::filesystem::path file = path_of_map(folder_, request.name().data());
           save_map(painter_->grid(), file, {}, ImageFormat::pgm,

@@ -88,6 +88,7 @@ MessageRule read_message(const ConfigNode& node, const std::string& key, const M
   reader("topic", rule.topic);
   reader("type", rule.type);
   reader("line", rule.line);
+  reader("once", rule.once);
   reader("columns", rule.columns);
   if (const ConfigNode* columns = node.find("columns")) rule.columns_where = columns->where;
   if (const ConfigNode* stamp = reader.find("stamp"))

@@ -83,6 +83,7 @@ struct MessageRule {
   std::string topic;
   std::string type;
   std::string line;                  ///< first word of the rows; empty: all
+  bool once = false;                 ///< of the first of these rows alone
   std::vector<std::string> columns;  ///< as in ColumnLayout::of_list(); empty: the table's
   Location columns_where;
   StampRule stamp;

@@ -70,7 +70,8 @@ std::size_t topic_of(const MessageRule& rule, const TypeDescription& type,
   }
   topics.push_back({.name = rule.topic,
                     .type = std::string(type.ros_name),
-                    .offered_qos_profiles = bag::to_qos_text({Qos::standard()}),
+                    .offered_qos_profiles =
+                        bag::to_qos_text({rule.topic == "/tf_static" ? Qos::latched() : Qos::standard()}),
                     .type_hash = std::string(type.type_hash),
                     .schema_encoding = "ros2msg",
                     .schema_text = bag::schema_text(type)});
@@ -123,6 +124,7 @@ class TableImport {
       const std::string& word = rule_.messages[i].line;
       if (!word.empty() && (row.cells.empty() || row.cells.front() != word)) continue;
       chosen = true;
+      if (rule_.messages[i].once && importers_[i] && importers_[i]->counts().messages > 0) continue;
       if (!importers_[i]) start(i, row);
       const std::optional<Time> stamp = importers_[i]->read(row);
       if (!stamp) continue;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "runtime/bounded_line.hpp"
+#include "runtime/recording/import/text_input.hpp"
 
 namespace bw::imports {
 namespace {
@@ -52,15 +53,13 @@ TableError::TableError(const std::string& table, std::size_t line, std::string_v
     : std::runtime_error(fmt::format("{}:{}: {}", table, line, rule)) {}
 
 TableReader::TableReader(const std::filesystem::path& file, const TableFormat& format)
-    : name_(file.string()), format_(format), input_(file) {
-  if (!input_ || !std::filesystem::is_regular_file(file))
-    throw std::runtime_error(name_ + ": cannot be read");
+    : name_(file.string()), format_(format), input_(open_text(file)) {
   if (!format_.header) return;
   if (!next(header_)) throw TableError(name_, 1, "the header is missing");
 }
 
 bool TableReader::next(Row& row) {
-  while (read_line(input_, text_, kLongestLine)) {
+  while (read_line(*input_, text_, kLongestLine)) {
     ++line_;
     if (text_.size() > kLongestLine)
       throw TableError(name_, line_, fmt::format("longer than {} characters", kLongestLine));
@@ -75,7 +74,7 @@ bool TableReader::next(Row& row) {
     split(text, row);
     return true;
   }
-  if (input_.bad()) throw std::runtime_error(name_ + ": cannot be read to its end");
+  if (input_->bad()) throw std::runtime_error(name_ + ": cannot be read to its end");
   return false;
 }
 

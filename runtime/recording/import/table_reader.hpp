@@ -3,7 +3,8 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
+#include <istream>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -45,7 +46,8 @@ class TableError : public std::runtime_error {
 /// Cells of a separated table may stand in double quotes, and lose blanks around them.
 class TableReader {
  public:
-  /// Throws std::runtime_error naming the file when it cannot be read, TableError when the header is missing.
+  /// The file may be compressed by gzip (text_input.hpp). Throws std::runtime_error naming it when it cannot
+  /// be read, TableError when the header is missing.
   TableReader(const std::filesystem::path& file, const TableFormat& format);
 
   /// False at the end. Throws TableError for a line longer than a mebibyte and a quote that does not end.
@@ -59,7 +61,7 @@ class TableReader {
 
   std::string name_;
   TableFormat format_;
-  std::ifstream input_;
+  std::unique_ptr<std::istream> input_;
   std::string text_;
   std::size_t line_ = 0;
   Row header_;

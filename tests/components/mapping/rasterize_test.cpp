@@ -53,6 +53,19 @@ TEST(Rasterize, DrawsAxisParallelSegmentsAndPoints) {
   EXPECT_EQ(grid.at(0, 8), OccupancyGrid::kOccupied);
 }
 
+// 0.05 is no binary fraction: the line between two rows and the row that a wall along it falls into are
+// rounded apart, and walls along some of these lines were in no row.
+TEST(Rasterize, DrawsWallsAlongTheLinesBetweenCells) {
+  for (int line = -100; line <= 100; ++line) {
+    OccupancyGrid grid = test::empty_grid(20, 210, 0.05, {0.0, 0.05 * -102.0});
+    const double y = line / 20.0;
+    draw_segment(grid, {{0.125, y}, {0.875, y}});
+    for (int column = 2; column <= 17; ++column)
+      ASSERT_EQ(grid.at(column, grid.row_of(y)), OccupancyGrid::kOccupied)
+          << "y " << y << ", column " << column;
+  }
+}
+
 TEST(Rasterize, FillsBoxesFromAnyCorner) {
   OccupancyGrid grid = test::empty_grid(10, 10, 1.0);
   draw_box(grid, {4.2, 6.9}, {2.5, 5.1});

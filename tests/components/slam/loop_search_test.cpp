@@ -46,7 +46,7 @@ TEST(LoopSearch, FindsASubmapSeenAgain) {
   const Scan scan = scanner.scan({}, X_W2);
   const RangeImage* images[] = {&scan.ranges};
   const Pose2 X_SB;
-  LoopSearch search(later, images, std::span(&X_SB, 1), {});
+  LoopSearch search(later.surfaces, images, std::span(&X_SB, 1), {});
   UncertainPose expected{inverse(X_W2) * X_W1, Eigen::Matrix3d::Identity()};
   expected.X.x += 0.15;
   expected.X.y -= 0.13;
@@ -60,6 +60,17 @@ TEST(LoopSearch, FindsASubmapSeenAgain) {
   EXPECT_LT(std::abs(off.z()), 0.003);
   EXPECT_LT(loop->through, 0.05);
   EXPECT_GT(loop->inliers, 0.8);
+}
+
+// A wall along x at (1, 2), its normal along y, in a frame that is turned by a quarter and moved.
+TEST(Moved, TurnsNormalsByTwiceTheAngle) {
+  const Surface wall{1.0F, 2.0F, -1.0F, 0.0F, 7};
+  const Surface there = moved(wall, {10.0, 20.0, std::numbers::pi / 2.0});
+  EXPECT_NEAR(there.x, 8.0, 1e-6);
+  EXPECT_NEAR(there.y, 21.0, 1e-6);
+  EXPECT_NEAR(there.normal_cos2, 1.0, 1e-6) << "the normal is along x";
+  EXPECT_NEAR(there.normal_sin2, 0.0, 1e-6);
+  EXPECT_EQ(there.hits, 7);
 }
 
 // A ring of walls seen from the middle by scanners with each a field of view: beams that go 2 m on went
