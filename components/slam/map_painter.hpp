@@ -22,6 +22,9 @@ class MapPainter {
   /// Counts up with each scan that was drawn.
   std::int64_t drawn() const { return drawn_; }
   OccupancyGrid grid() const { return rendering_.grid(); }
+  /// As MapRendering's.
+  std::size_t changed_tiles() const { return rendering_.changed_tiles(); }
+  void gather(std::size_t most, std::vector<MapTile>& tiles) { rendering_.gather(most, tiles); }
 
  private:
   bool moved(const Pose2& from, const Pose2& to) const;

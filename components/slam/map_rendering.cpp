@@ -13,7 +13,25 @@ constexpr int kLeastPasses = 1;          // from which on a cell is known to be 
 
 }  // namespace
 
+std::int8_t MapRendering::value_of(const Counts& counts) {
+  const int all = counts.hits + counts.passes;
+  if (all < kLeastPasses) return OccupancyGrid::kUnknown;
+  const bool occupied = counts.hits > 0 && counts.hits >= kOccupiedShare * all;
+  return occupied ? OccupancyGrid::kOccupied : OccupancyGrid::kFree;
+}
+
+void MapRendering::mark(const TileIndex& tile) {
+  last_ = tile;
+  is_last_marked_ = true;
+  std::uint8_t& is_changed = is_changed_.ref(tile.column, tile.row);
+  if (is_changed != 0) return;
+  is_changed = 1;
+  changed_.push_back(tile);
+}
+
 void MapRendering::count(int i, int j, int hits, int passes) {
+  const TileIndex tile{i >> TiledGrid<Counts>::kEdgeBits, j >> TiledGrid<Counts>::kEdgeBits};
+  if (!is_last_marked_ || !(tile == last_)) mark(tile);
   Counts& counts = cells_.ref(i, j);
   counts.hits = static_cast<std::int16_t>(std::clamp(counts.hits + hits, 0, 30000));
   counts.passes = static_cast<std::int16_t>(std::clamp(counts.passes + passes, 0, 30000));
@@ -88,13 +106,24 @@ OccupancyGrid MapRendering::grid() const {
   grid.cells.assign(static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height),
                     OccupancyGrid::kUnknown);
   cells_.for_each([&](int i, int j, const Counts& counts) {
-    const int all = counts.hits + counts.passes;
-    if (all < kLeastPasses) return;
-    const bool occupied = counts.hits > 0 && counts.hits >= kOccupiedShare * all;
-    grid.cells[grid.index(i - first_i, j - first_j)] =
-        occupied ? OccupancyGrid::kOccupied : OccupancyGrid::kFree;
+    grid.cells[grid.index(i - first_i, j - first_j)] = value_of(counts);
   });
   return grid;
+}
+
+void MapRendering::gather(std::size_t most, std::vector<MapTile>& tiles) {
+  static_assert(MapTile::kEdge == TiledGrid<Counts>::kEdge);
+  is_last_marked_ = false;
+  for (; most > 0 && !changed_.empty(); --most) {
+    const TileIndex index = changed_.front();
+    changed_.pop_front();
+    is_changed_.ref(index.column, index.row) = 0;
+    MapTile& tile = tiles.emplace_back();
+    tile.column = index.column;
+    tile.row = index.row;
+    const Counts* counts = cells_.tile_of(index.column * MapTile::kEdge, index.row * MapTile::kEdge);
+    std::transform(counts, counts + tile.cells.size(), tile.cells.begin(), value_of);
+  }
 }
 
 }  // namespace bw::slam

@@ -1,8 +1,10 @@
 // The map that scans at their poses draw: how often beams ended in a cell, and went through it.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <deque>
 #include <vector>
 
 #include "components/model/occupancy_grid.hpp"
@@ -12,12 +14,12 @@
 
 namespace bw::slam {
 
-/// Cells that changed, as rows of the map: what map_msgs/OccupancyGridUpdate carries.
-struct MapRegion {
+/// A square piece of the map as it is now. Its lower left cell is (column, row) times kEdge.
+struct MapTile {
+  static constexpr int kEdge = 32;  ///< cells
   int column = 0;
   int row = 0;
-  int width = 0;
-  int height = 0;
+  std::array<std::int8_t, std::size_t{kEdge} * kEdge> cells{};  ///< row-major: as in OccupancyGrid
 };
 
 class MapRendering {
@@ -34,6 +36,11 @@ class MapRendering {
   /// quarter of the times that they came to it.
   OccupancyGrid grid() const;
 
+  /// Tiles that were drawn to, or taken back, and not gathered since.
+  std::size_t changed_tiles() const { return changed_.size(); }
+  /// Adds up to `most` of them to `tiles`, those that changed first; costs a microsecond each.
+  void gather(std::size_t most, std::vector<MapTile>& tiles);
+
   std::size_t bytes() const { return cells_.bytes(); }
 
  private:
@@ -41,11 +48,22 @@ class MapRendering {
     std::int16_t hits = 0;
     std::int16_t passes = 0;
   };
+  struct TileIndex {
+    int column = 0;
+    int row = 0;
+    bool operator==(const TileIndex&) const = default;
+  };
+  static std::int8_t value_of(const Counts& counts);
   void add(const RangeImage& image, const Pose2& X_MB, int sign);
   void count(int i, int j, int hits, int passes);
+  void mark(const TileIndex& tile);
 
   double resolution_;
   TiledGrid<Counts> cells_;
+  std::deque<TileIndex> changed_;
+  TiledGrid<std::uint8_t> is_changed_;  ///< by tile: it is in changed_
+  TileIndex last_;                      ///< the tile that was counted in last
+  bool is_last_marked_ = false;
 };
 
 }  // namespace bw::slam

@@ -12,11 +12,12 @@ struct Hit {
   int beam = 0;
 };
 
-constexpr int kNeighbours = 4;        // to either side
-constexpr double kLeastReach = 0.15;  // [m]
-constexpr double kSpacings = 3.5;     // neighbours are at most so many beam spacings away
-constexpr double kGrazing = 3.0;      // spacing on a wall seen at a flat angle
-constexpr double kRoughness = 0.02;   // [m] a wall whose points deviate by more is not straight
+constexpr int kNeighbours = 4;             // to either side
+constexpr double kLeastReach = 0.15;       // [m]
+constexpr double kSpacings = 3.5;          // neighbours are at most so many beam spacings away
+constexpr double kGrazing = 3.0;           // spacing on a wall seen at a flat angle
+constexpr double kLongestDrawn = 65500.0;  // [mm]
+constexpr double kRoughness = 0.02;        // [m] a wall whose points deviate by more is not straight
 
 // Sets the normal of hit `i` from its neighbours along the sweep.
 void set_normal(const std::vector<Hit>& hits, std::size_t i, double increment, SurfacePoint& point) {
@@ -60,14 +61,27 @@ void set_normal(const std::vector<Hit>& hits, std::size_t i, double increment, S
   point.normal_sin2 = static_cast<float>(-s / spread * straight);
 }
 
+/// The image as it would be had all beams been taken at the middle of the sweep, at a steady turn meanwhile.
+void set_frame(const LaserSweep& sweep, RangeImage& image) {
+  image.X_BL = sweep.X_FL;
+  image.angle_min = sweep.angle_min;
+  image.angle_increment = sweep.angle_increment;
+  const std::size_t beams = sweep.ranges.size();
+  if (sweep.beam_poses.empty() || beams < 2) return;
+  const std::size_t middle = beams / 2;
+  image.X_BL = scanner_at(sweep, middle);
+  const double turn = wrap_angle(scanner_at(sweep, middle).theta - scanner_at(sweep, 0).theta) +
+                      wrap_angle(scanner_at(sweep, beams - 1).theta - scanner_at(sweep, middle).theta);
+  image.angle_increment += turn / static_cast<double>(beams - 1);
+  image.angle_min -= static_cast<double>(middle) * (image.angle_increment - sweep.angle_increment);
+}
+
 }  // namespace
 
 Scan scan_of(const LaserSweep& sweep, const SlamOptions& options) {
   Scan scan;
   scan.time = sweep.time;
-  scan.ranges.X_BL = sweep.X_FL;
-  scan.ranges.angle_min = sweep.angle_min;
-  scan.ranges.angle_increment = sweep.angle_increment;
+  set_frame(sweep, scan.ranges);
   scan.ranges.millimetres.resize(sweep.ranges.size(), RangeImage::kUnknown);
   std::vector<Hit> hits;
   hits.reserve(sweep.ranges.size());
@@ -80,10 +94,12 @@ Scan scan_of(const LaserSweep& sweep, const SlamOptions& options) {
       scan.ranges.millimetres[i] = RangeImage::kNoReturn;
       continue;
     }
-    scan.ranges.millimetres[i] = static_cast<std::uint16_t>(std::max(1.0, std::round(range * 1000.0)));
     const double angle = sweep.angle_min + static_cast<double>(i) * sweep.angle_increment;
     hits.push_back({scanner_at(sweep, i) * Vector2{range * std::cos(angle), range * std::sin(angle)}, range,
                     static_cast<int>(i)});
+    const double drawn = (hits.back().position - scan.ranges.X_BL.position()).norm();
+    scan.ranges.millimetres[i] =
+        static_cast<std::uint16_t>(std::clamp(std::round(drawn * 1000.0), 1.0, kLongestDrawn));
   }
   const double apart = 0.5 * options.resolution;
   Vector2 kept{1e9, 1e9};

@@ -23,9 +23,11 @@ struct SurfacePoint {
   Vector2 position() const { return {x, y}; }
 };
 
-/// Ranges of one sweep in two bytes each. Where the scanner was at each beam is not kept.
+/// Ranges of one sweep in two bytes each, as if all beams had been taken at the middle of the sweep: the turn
+/// meanwhile is in the increment, motion along a beam in its range. What is left is motion across beams, a
+/// few centimetres along the wall.
 struct RangeImage {
-  Pose2 X_BL;
+  Pose2 X_BL;                    ///< at the middle of the sweep
   double angle_min = 0.0;        ///< [rad]
   double angle_increment = 0.0;  ///< [rad]
   std::vector<std::uint16_t> millimetres;

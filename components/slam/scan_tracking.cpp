@@ -11,6 +11,9 @@ namespace {
 constexpr int kIterations = 10;
 constexpr double kGoodMatch = 0.6;         // share of inliers with which nothing else is searched for
 constexpr double kLeastMatch = 0.15;       // with less the scan says nothing
+constexpr double kHardlyMeets = 0.35;      // a scan of another place does at most
+constexpr std::size_t kFewPoints = 30;     // say nothing of the place
+constexpr double kHardlyMoved = 0.3;       // [m, rad] what is in view is the same
 constexpr double kRefinedFrom = 0.2;       // [m] up to which refinement finds the way by itself
 constexpr double kRefinedFromTurn = 0.05;  // [rad]
 constexpr double kSlightlyBetter = 0.02;
@@ -119,11 +122,24 @@ ScanTracking::Match ScanTracking::match(const Scan& scan, const UncertainPose& p
   return best;
 }
 
+int ScanTracking::held(const Scan& scan, const Pose2& X_OB, double inliers) {
+  if (inliers >= kGoodMatch) met_X_OB_ = X_OB;
+  if (inliers >= kHardlyMeets || scan.points.size() < kFewPoints) return held_ = 0;
+  if (held_ > 0) return ++held_;
+  const Pose2 moved = met_X_OB_ ? inverse(*met_X_OB_) * X_OB : Pose2{};
+  const bool at_once =
+      met_X_OB_ && std::hypot(moved.x, moved.y) < kHardlyMoved && std::abs(moved.theta) < kHardlyMoved;
+  // Odometry that came late is another reason.
+  return held_ = at_once && !late_ ? 1 : 0;
+}
+
 Tracked ScanTracking::add(const Scan& scan, const Pose2& X_OB, std::size_t nodes) {
   Tracked result;
   if (!older_) {
     older_ = begun(nodes, start_);
     result.enters_map = true;
+    met_X_OB_ = X_OB;
+    held_ = 0;
   } else {
     const Pose2 X_step = inverse(X_OB_) * X_OB;
     const UncertainPose step{X_step, trust_.covariance(X_step, options_)};
@@ -137,7 +153,8 @@ Tracked ScanTracking::add(const Scan& scan, const Pose2& X_OB, std::size_t nodes
     odometry_before_ = step.X;
     const Match found = match(scan, older_->X_SB);
     result.match = found.refined;
-    result.matched = result.match.inliers >= kLeastMatch;
+    result.held = held(scan, X_OB, result.match.inliers);
+    result.matched = result.match.inliers >= kLeastMatch && result.held == 0;
     if (result.matched) {
       const auto updated = [](const Eigen::Matrix3d& prior,
                               const Eigen::Matrix3d& information) -> Eigen::Matrix3d {
@@ -159,13 +176,15 @@ Tracked ScanTracking::add(const Scan& scan, const Pose2& X_OB, std::size_t nodes
                    options_);
     }
     step_before_ = inverse(older_->X_before) * older_->X_SB.X;
+    result.by_odometry = step.X;
+    result.by_scan = step_before_;
     since_node_ += travel;
     turned_since_node_ += std::abs(step.X.theta);
     const double progress = travel + kTurnAsTravel * std::abs(step.X.theta);
     older_->travel += progress;
     if (younger_) younger_->travel += progress;
-    result.enters_map = since_node_ >= options_.minimum_travel_distance ||
-                        turned_since_node_ >= options_.minimum_travel_heading;
+    result.enters_map = result.held == 0 && (since_node_ >= options_.minimum_travel_distance ||
+                                             turned_since_node_ >= options_.minimum_travel_heading);
   }
   X_OB_ = X_OB;
   time_ = scan.time;
@@ -205,6 +224,7 @@ std::vector<Submap> ScanTracking::finish(std::size_t nodes) {
 void ScanTracking::begin_at(std::size_t found_in, const UncertainPose& X_PB) {
   start_ = {found_in, X_PB};
   late_ = false;
+  met_X_OB_.reset();
   odometry_before_ = {};
   step_before_ = {};
   since_node_ = 0.0;

@@ -15,6 +15,11 @@ struct Tracked {
   Refined match;         ///< zeros for the first scan
   bool matched = false;  ///< else by odometry alone
   bool enters_map = false;
+  /// Scans in a row, this one among them, that do not meet the map though one just before did and the robot
+  /// hardly moved by odometry since: somebody carried it away. None of them enters the map.
+  int held = 0;
+  Pose2 by_odometry;               ///< the step from the scan before
+  Pose2 by_scan;                   ///< the same with what the scan says
   std::optional<Submap> finished;  ///< placement is in it still; later ones are in the next
 };
 
@@ -87,6 +92,8 @@ class ScanTracking {
     UncertainPose prior;
   };
   Match match(const Scan& scan, const UncertainPose& predicted);
+  /// Tracked::held of a scan that meets the map with this share.
+  int held(const Scan& scan, const Pose2& X_OB, double inliers);
 
   SlamOptions options_;
   std::size_t submap_ = 0;  ///< number of older_
@@ -97,8 +104,10 @@ class ScanTracking {
   OdometryTrust trust_;
   Time time_;
   Pose2 step_before_;
-  Pose2 odometry_before_;           ///< the last step by odometry
-  bool late_ = false;               ///< odometry stood still or jumped
+  Pose2 odometry_before_;          ///< the last step by odometry
+  bool late_ = false;              ///< odometry stood still or jumped
+  std::optional<Pose2> met_X_OB_;  ///< of the newest scan that met the map
+  int held_ = 0;
   double since_node_ = 0.0;         ///< [m]
   double turned_since_node_ = 0.0;  ///< [rad]
 };

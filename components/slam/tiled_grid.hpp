@@ -38,6 +38,14 @@ class TiledGrid {
     }
     return cells_[cell(tile, i, j)];
   }
+  /// The cells of the tile that (i, j) lies in, row-major; null where nothing was written.
+  const Cell* tile_of(int i, int j) const {
+    const int column = (i >> kEdgeBits) - first_column_;
+    const int row = (j >> kEdgeBits) - first_row_;
+    if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return nullptr;
+    const std::int32_t tile = tiles_[index(column, row)];
+    return tile < 0 ? nullptr : &cells_[static_cast<std::size_t>(tile) << (2 * kEdgeBits)];
+  }
   std::size_t bytes() const {
     return cells_.capacity() * sizeof(Cell) + tiles_.capacity() * sizeof(std::int32_t);
   }

@@ -7,6 +7,7 @@ import { projectFolder } from "./modules.mjs";
 
 export const program = process.argv[2];
 export const hallway = path.join(projectFolder, "config/graphs/hallway.yaml");
+export const mapDrive = path.join(projectFolder, "config/graphs/map_drive.yaml");
 
 /** The hallway with two people who walk 2 m, which tells them from posts, and stand near its beginning; and nobody else. */
 export const quiet = [
@@ -18,8 +19,8 @@ export const quiet = [
 
 export class Robot {
   /** In real time, waiting for goals; `port` 0 is any free one. */
-  static async start({ port = 0, options = quiet } = {}) {
-    const robot = new Robot(new Program(program, "run", hallway, `--page=${port}`, "--stay", "--seed", "7", ...options));
+  static async start({ port = 0, options = quiet, graph = hallway } = {}) {
+    const robot = new Robot(new Program(program, "run", graph, `--page=${port}`, "--stay", "--seed", "7", ...options));
     robot.address = (await robot.process.says(/http:\/\/127\.0\.0\.1:\d+\/\?token=[0-9a-f]{32}/))[0];
     return robot;
   }

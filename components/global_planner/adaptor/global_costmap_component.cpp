@@ -16,6 +16,7 @@
 #include "components/messages/costmap_clearing.hpp"
 #include "components/messages/footprint_source.hpp"
 #include "components/messages/grid.hpp"
+#include "components/messages/map_input.hpp"
 #include "components/model/robot.hpp"
 #include "runtime/component.hpp"
 #include "runtime/transforms/transform_tree.hpp"
@@ -38,8 +39,7 @@ class GlobalCostmapComponent final : public Component {
     costmap_ = setup.output<nav_msgs::msg::OccupancyGrid>("costmap", Qos::latched());
     costmap_raw_ = setup.output<nav2_msgs::msg::Costmap>("costmap_raw", Qos::latched());
     published_footprint_ = setup.output<geometry_msgs::msg::PolygonStamped>("published_footprint");
-    setup.input<nav_msgs::msg::OccupancyGrid>(
-        "map", Qos::latched(), [this](const auto& message, const Tick& tick) { on_map(message, tick.now); });
+    listen_to_map(setup, [this](const auto& message, const Tick& tick) { on_map(message, tick.now); });
     setup.every(Duration::seconds(1.0 / parameters_.publish_frequency), "footprint",
                 [this](const Tick& tick) {
                   if (std::exchange(has_new_footprint_, false) && !map_frame_.empty())

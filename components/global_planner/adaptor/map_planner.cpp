@@ -7,6 +7,7 @@
 
 #include "components/messages/geometry.hpp"
 #include "components/messages/grid.hpp"
+#include "components/messages/map_input.hpp"
 #include "components/messages/obstacles.hpp"
 #include "components/model/mover_weight.hpp"
 #include "components/model/robot.hpp"
@@ -38,8 +39,7 @@ void MapPlanner::configure(Setup& setup) {
   tracks_ = setup.latest<bandwagon_msgs::msg::Tracks>("tracks", Qos::standard(), Need::optional);
   if (parameters_.plan_around_obstacles)
     obstacles_ = setup.latest<bandwagon_msgs::msg::Obstacles>("obstacles", Qos::standard(), Need::optional);
-  setup.input<nav_msgs::msg::OccupancyGrid>("map", Qos::latched(),
-                                            [this](const auto& message, const Tick&) { keep_map(message); });
+  listen_to_map(setup, [this](const auto& message, const Tick&) { keep_map(message); });
 }
 
 void MapPlanner::keep_map(const nav_msgs::msg::OccupancyGrid& message) {

@@ -1,5 +1,7 @@
 #include "components/slam/adaptor/slam_component.hpp"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "components/messages/geometry.hpp"
@@ -8,6 +10,8 @@
 #include "components/messages/obstacles.hpp"
 #include "components/messages/placed.hpp"
 #include "components/model/sweep_motion.hpp"
+#include "components/slam/adaptor/graph_markers.hpp"
+#include "components/slam/adaptor/health_text.hpp"
 #include "components/slam/leave_out.hpp"
 
 namespace bw::slam {
@@ -16,9 +20,10 @@ namespace {
 constexpr std::size_t kMostWaiting = 20;  // scans, for odometry of their time
 constexpr int kPiecesPerScan =
     6;  // of the work on loops: at 10 scans/s a submap's is done before the next comes
-constexpr int kDrawnPerScan = 4;       // scans of the map
-constexpr double kOldestTracks = 0.5;  // [s] older ones do not say where people are
-constexpr double kDoubtful = 0.3;      // share of beams that must meet the map
+constexpr int kDrawnPerScan = 4;            // scans of the map
+constexpr std::size_t kTilesPerScan = 500;  // of the map to be published: half a millisecond
+constexpr double kToldFor = 5.0;            // [s] what is over again
+constexpr double kOldestTracks = 0.5;       // [s] older ones do not say where people are
 
 std::string seconds(Time time) { return fmt::format("{:.3f}", time.to_seconds()); }
 
@@ -38,7 +43,9 @@ void SlamComponent::configure(Setup& setup) {
   filtered_ = setup.output<nav_msgs::msg::Odometry>("odometry/filtered");
   tf_ = setup.output<tf2_msgs::msg::TFMessage>("/tf", Qos::tf());
   pose_ = setup.output<geometry_msgs::msg::PoseWithCovarianceStamped>("pose");
-  map_ = setup.output<nav_msgs::msg::OccupancyGrid>("map", Qos::latched());
+  map_.configure(setup);
+  graph_ =
+      setup.output<visualization_msgs::msg::MarkerArray>("slam_toolbox/graph_visualization", Qos::latched());
   setup.input<nav_msgs::msg::Odometry>("odom", Qos::standard(50),
                                        [this](const auto& m, const Tick& tick) { on_odometry(m, tick); });
   setup.input<sensor_msgs::msg::LaserScan>("scan", Qos::sensor(),
@@ -47,15 +54,22 @@ void SlamComponent::configure(Setup& setup) {
   setup.input<geometry_msgs::msg::PoseWithCovarianceStamped>(
       "initialpose", Qos::standard(), [this](const auto& m, const Tick&) { on_initial_pose(m); },
       Need::optional);
-  setup.every(Duration::seconds(parameters_.map_update_interval), "map",
-              [this](const Tick&) { publish_map(); });
-  setup.every(Duration::seconds(1.0), "health", [this](const Tick&) { report(); });
+  setup.every(Duration::seconds(parameters_.map_update_interval), "map", [this](const Tick&) {
+    publish_map();
+    publish_graph();
+  });
+  setup.every(Duration::seconds(1.0), "health", [this](const Tick& tick) { report(tick.now); });
   offer_services(setup);
   offer_graph_services(setup);
   begin_map();
 }
 
-void SlamComponent::activate(const Tick&) { waiting_.clear(); }
+void SlamComponent::activate(const Tick&) {
+  waiting_.clear();
+  map_.activate();
+}
+
+void SlamComponent::deactivate(const Tick&) { map_.deactivate(); }
 
 void SlamComponent::begin_map() {
   const MapStartPose& start = parameters_.map_start_pose;
@@ -65,11 +79,16 @@ void SlamComponent::begin_map() {
   slam_ = std::make_unique<Slam>(options_);
   painter_ = std::make_unique<MapPainter>(options_.resolution, X_MW_);
   covariance_.setZero();
-  published_ = -1;
+  map_.begin(options_.resolution);
+  tiles_.clear();
+  is_gathering_ = false;
   is_told_ = false;
   jumps_ = true;
   newest_.reset();
   looks_for_place_ = false;
+  is_kidnapped_ = false;
+  carried_.reset();
+  watch_ = {};
   given_.reset();
   given_X_MO_.reset();
 }
@@ -93,7 +112,7 @@ void SlamComponent::on_odometry(const nav_msgs::msg::Odometry& message, const Ti
   filtered.pose().pose(to_pose(X_MO * X_OB));
   set_planar_covariance(filtered.pose().covariance(), covariance_);
   filtered.twist(message.twist());
-  filtered_.publish(filtered);
+  if (!is_kidnapped_) filtered_.publish(filtered);
 }
 
 void SlamComponent::on_scan(const sensor_msgs::msg::LaserScan& message) {
@@ -145,6 +164,7 @@ void SlamComponent::use(const sensor_msgs::msg::LaserScan& message) {
   sweep.ranges = ranges;
   newest_ = scan_of(sweep, options_);
   newest_X_OB_ = *X_OB;
+  gather_map();
   if (looks_for_place_ && !find_place(*newest_, *X_OB)) return;
   take_in(*newest_, *X_OB);
 }
@@ -157,8 +177,16 @@ void SlamComponent::take_in(const Scan& scan, const Pose2& X_OB) {
   painter_->update(*slam_, kDrawnPerScan);
   map_time_ = scan.time;
   inliers_ = tracked.match.inliers;
-  unseen_ = !tracked.match.unseen.isZero();
   const Pose2 X_MB = X_MW_ * slam_->pose(tracked.placement);
+  watch_.add(tracked, scan.points.size(), X_MB, scan.time);
+  if (watch_.is_kidnapped()) {
+    log_.warn("the robot is not where it was: looks for its place in the map, and draws nothing");
+    is_kidnapped_ = true;
+    carried_ = scan.time;
+    looks_for_place_ = true;
+    slam_->finish();
+    return;
+  }
   if (is_first) {
     map_to_odom_.jump(X_MB * inverse(X_OB));
     is_told_ = true;
@@ -185,13 +213,29 @@ nav_msgs::msg::OccupancyGrid SlamComponent::map_message(Time stamp) const {
 }
 
 void SlamComponent::publish_map() {
-  if (slam_->nodes().empty() || painter_->drawn() == published_) return;
-  published_ = painter_->drawn();
-  const nav_msgs::msg::OccupancyGrid map = map_message(map_time_);
-  if (!map.data().empty()) map_.publish(map);  // beams that met nothing draw none
+  if (slam_->nodes().empty()) return;
+  if (!is_gathering_) to_gather_ = painter_->changed_tiles();
+  is_gathering_ = true;
+  gather_map();
 }
 
-void SlamComponent::report() {
+/// Tiles of the map in pieces between scans: all of a large one change at once when a loop is closed.
+void SlamComponent::gather_map() {
+  if (!is_gathering_) return;
+  const std::size_t now = std::min(to_gather_, kTilesPerScan);
+  painter_->gather(now, tiles_);
+  to_gather_ -= now;
+  if (to_gather_ == 0) is_gathering_ = !map_.send(tiles_, map_time_);
+}
+
+void SlamComponent::publish_graph() {
+  const std::array<std::int64_t, 3> now{static_cast<std::int64_t>(slam_->submaps()),
+                                        static_cast<std::int64_t>(slam_->loops().size()), slam_->revision()};
+  if (std::exchange(told_graph_, now) != now)
+    graph_.publish(to_markers(*slam_, X_MW_, map_frame_, map_time_));
+}
+
+void SlamComponent::report(Time now) {
   using Level = DiagnosticReporter::Level;
   if (too_early_ > told_too_early_) {
     log_.warn(
@@ -207,19 +251,24 @@ void SlamComponent::report() {
   diagnostics_->set_value("loop closures", std::to_string(loops.accepted));
   diagnostics_->set_value("beams that meet the map", fmt::format("{:.2f}", inliers_));
   diagnostics_->set_value("initialpose", initial_pose_remark_);
+  const SlamHealth health = watch_.health(now);
+  HealthState state = health.state;
+  std::string why = to_text(health);
   if (paused_) {
-    diagnostics_->report(Level::ok, "paused: scans are not used");
+    state = HealthState::ok;
+    why = "paused: scans are not used";
   } else if (looks_for_place_) {
-    diagnostics_->report(Level::warn, "looks for its place in the map: " + doubt());
-  } else if (slam_->counts().scans == 0) {
-    diagnostics_->report(Level::warn, "waits for scans and odometry");
-  } else if (slam_->counts().scans > 1 && inliers_ < kDoubtful) {
-    diagnostics_->report(Level::warn, "the scan does not meet the map: by odometry");
-  } else if (unseen_) {
-    diagnostics_->report(Level::ok, "mapping; along one direction by odometry");
-  } else {
-    diagnostics_->report(Level::ok, "mapping");
+    state = is_kidnapped_ ? HealthState::lost : HealthState::init;
+    why = std::string(is_kidnapped_ ? "kidnapped, nothing is drawn; " : "") +
+          "looks for its place in the map: " + doubt();
+  } else if (state == HealthState::ok && carried_ && (now - *carried_).to_seconds() < kToldFor) {
+    state = HealthState::degraded;
+    why = "was carried away, and found its place in the map again";
   }
+  const Level level = state == HealthState::lost ? Level::error
+                      : state == HealthState::ok ? Level::ok
+                                                 : Level::warn;
+  diagnostics_->report(level, fmt::format("{}: {}", to_text(state), why));
 }
 
 BW_COMPONENT(SlamComponent, "slam")

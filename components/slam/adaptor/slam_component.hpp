@@ -1,6 +1,7 @@
 // Adaptor: odometry and scans in; pose, map->odom and a map that grows out. Topics: README.md.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <future>
 #include <memory>
@@ -15,14 +16,17 @@
 #include <sensor_msgs/msg/laser_scan.hpp>
 #include <slam_toolbox/srv/serialize_pose_graph.hpp>
 #include <tf2_msgs/msg/tf_message.hpp>
+#include <visualization_msgs/msg/marker_array.hpp>
 
 #include "components/model/obstacles.hpp"
+#include "components/slam/adaptor/map_output.hpp"
 #include "components/slam/graph_file.hpp"
 #include "components/slam/map_odom.hpp"
 #include "components/slam/map_painter.hpp"
 #include "components/slam/odometry_history.hpp"
 #include "components/slam/relocalization.hpp"
 #include "components/slam/slam.hpp"
+#include "components/slam/slam_health.hpp"
 #include "components/slam/slam_parameters.hpp"
 #include "runtime/component.hpp"
 #include "runtime/transforms/sensor_mounts.hpp"
@@ -33,6 +37,7 @@ class SlamComponent final : public Component {
  public:
   void configure(Setup& setup) override;
   void activate(const Tick& tick) override;
+  void deactivate(const Tick& tick) override;
 
  private:
   void offer_services(Setup& setup);
@@ -57,7 +62,9 @@ class SlamComponent final : public Component {
   /// Discs in odom.
   std::vector<Disc> people_at(Time time) const;
   void publish_map();
-  void report();
+  void gather_map();
+  void publish_graph();
+  void report(Time now);
   nav_msgs::msg::OccupancyGrid map_message(Time stamp) const;
 
   SlamParameters parameters_;
@@ -84,12 +91,18 @@ class SlamComponent final : public Component {
   SavedReply saving_reply_;
   std::deque<sensor_msgs::msg::LaserScan> waiting_;  ///< for odometry of their time
   Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();
-  Time map_time_;                ///< of the newest scan in the map
-  std::int64_t published_ = -1;  ///< MapPainter::drawn() of the map that was published
-  std::int64_t too_early_ = 0;   ///< scans that odometry did not reach
+  Time map_time_;               ///< of the newest scan in the map
+  std::vector<MapTile> tiles_;  ///< of the map, to be published
+  std::size_t to_gather_ = 0;   ///< tiles that are missing among them
+  bool is_gathering_ = false;
+  /// What was told of the graph: submaps, loops, and how often it was optimised.
+  std::array<std::int64_t, 3> told_graph_{};
+  std::int64_t too_early_ = 0;  ///< scans that odometry did not reach
   std::int64_t told_too_early_ = 0;
   double inliers_ = 0.0;  ///< of the newest scan
-  bool unseen_ = false;   ///< it does not show where the robot is along one direction
+  HealthWatch watch_;
+  bool is_kidnapped_ = false;    ///< and looks for its place
+  std::optional<Time> carried_;  ///< when that was noticed last
   bool paused_ = false;
 
   std::string map_frame_;
@@ -101,7 +114,8 @@ class SlamComponent final : public Component {
   Output<nav_msgs::msg::Odometry> filtered_;
   Output<tf2_msgs::msg::TFMessage> tf_;
   Output<geometry_msgs::msg::PoseWithCovarianceStamped> pose_;
-  Output<nav_msgs::msg::OccupancyGrid> map_;
+  MapOutput map_;
+  Output<visualization_msgs::msg::MarkerArray> graph_;
   Logger log_;
   DiagnosticReporter* diagnostics_ = nullptr;
 };

@@ -137,9 +137,11 @@ void SlamComponent::continue_map(SavedGraph graph, const std::optional<Pose2>& X
   painter_ = std::make_unique<MapPainter>(resolution, X_MW_);
   while (painter_->update(*slam_, 1000)) {
   }
+  map_.begin(resolution);
   looks_for_place_ = true;
   given_ = X_MB;
   publish_map();
+  while (to_gather_ > 0) gather_map();  // no scan waits for it: the robot has no place yet
 }
 
 bool SlamComponent::find_place(const Scan& scan, const Pose2& X_OB) {
@@ -168,6 +170,8 @@ void SlamComponent::begin_at(const Place& place) {
   search_.reset();
   given_X_MO_.reset();
   looks_for_place_ = false;
+  is_kidnapped_ = false;
+  watch_ = {};
   jumps_ = true;
   slam_->begin_at(place.submap, place.X_SB);
   log_.info("the robot is at {} in the map: {:.0f} % of the scan's points lie on its walls",

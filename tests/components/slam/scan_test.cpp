@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "components/model/differential_drive.hpp"
+#include "components/world/ray.hpp"
 #include "tests/components/slam/slam_scene.hpp"
 
 namespace bw::slam {
@@ -152,6 +154,48 @@ TEST(ScanOf, BeamsStartWhereTheScannerWas) {
     EXPECT_NEAR(static_cast<double>(scan.points[i].x), 2.0, 1e-6);
     EXPECT_NEAR(static_cast<double>(scan.points[i].y), 0.1 * static_cast<double>(i), 1e-6);
   }
+}
+
+// The head takes 0.15 s for a round while the robot drives 0.5 m/s and turns 1.5 rad/s: 0.11 rad before and
+// after the middle, 0.7 m at 6 m. Drawn from the middle, beams end within a cell of the walls; what is left is
+// the drive across a beam, 3.75 cm at the sweep's ends.
+TEST(ScanOf, TheImageIsThatOfTheMiddleOfTheSweep) {
+  constexpr int kBeams = 720;
+  constexpr double kSweep = 0.15;
+  const StaticObstacles walls = test::room(12.0, 9.0);
+  const Pose2 mount{0.1, 0.0, 0.5};
+  LaserSweep sweep;
+  sweep.X_FL = mount;
+  sweep.angle_min = -std::numbers::pi;
+  sweep.angle_increment = 2.0 * std::numbers::pi / kBeams;
+  sweep.time_increment = kSweep / kBeams;
+  sweep.range_min = 0.05;
+  sweep.range_max = 30.0;
+  const Pose2 X_MB{1.0, 0.5, 0.3};
+  std::vector<Pose2> poses;
+  std::vector<float> ranges;
+  for (int i = 0; i < kBeams; ++i) {
+    poses.push_back(advance_exact({}, {0.5, 1.5}, i * sweep.time_increment) * mount);
+    const Pose2 X_ML = X_MB * poses.back();
+    double range = 30.0;
+    for (const Segment& wall : walls.segments)
+      range =
+          std::min(range, ray_hit(X_ML.position(),
+                                  direction(X_ML.theta + sweep.angle_min + i * sweep.angle_increment), wall));
+    ranges.push_back(static_cast<float>(range));
+  }
+  sweep.ranges = ranges;
+  sweep.beam_poses = poses;
+  const RangeImage image = scan_of(sweep, {}).ranges;
+  const Pose2 X_ML = X_MB * image.X_BL;
+  double worst = 0.0;
+  for (int i = 0; i < kBeams; ++i) {
+    const double angle = X_ML.theta + image.angle_min + i * image.angle_increment;
+    const Vector2 end =
+        X_ML.position() + 0.001 * image.millimetres[static_cast<std::size_t>(i)] * direction(angle);
+    worst = std::max(worst, std::min(std::abs(std::abs(end.x()) - 6.0), std::abs(std::abs(end.y()) - 4.5)));
+  }
+  EXPECT_LT(worst, 0.045);
 }
 
 }  // namespace

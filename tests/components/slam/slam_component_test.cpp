@@ -14,10 +14,12 @@
 #include <slam_toolbox/srv/reset.hpp>
 #include <slam_toolbox/srv/save_map.hpp>
 #include <tf2_msgs/msg/tf_message.hpp>
+#include <visualization_msgs/msg/marker_array.hpp>
 
 #include "components/files/map_file.hpp"
 #include "components/messages/geometry.hpp"
 #include "components/messages/grid.hpp"
+#include "components/messages/map_input.hpp"
 #include "tests/components/service_calls.hpp"
 #include "tests/components/slam/slam_room.hpp"
 
@@ -34,6 +36,9 @@ using slam_toolbox::srv::SaveMap;
 
 struct Seen {
   std::vector<nav_msgs::msg::OccupancyGrid> maps;
+  std::vector<map_msgs::msg::OccupancyGridUpdate> updates;
+  nav_msgs::msg::OccupancyGrid followed;  ///< the map, and updates laid into it
+  std::vector<visualization_msgs::msg::MarkerArray> graphs;
   std::vector<nav_msgs::msg::Odometry> poses;  ///< odometry/filtered
   std::vector<Pose2> X_MO;
   std::vector<GetMap::Response> shown;
@@ -57,8 +62,14 @@ Seen run(const Script& script) {
   Seen seen;
   const std::string yaml = "components: {slam: {parameters: {" + script.parameters + "}}}";
   run_with_script(yaml, script.seconds, [&](Setup& setup) {
+    listen_to_map(setup, [&](const auto& m, const Tick&) { seen.followed = m; });
     setup.input<nav_msgs::msg::OccupancyGrid>("map", Qos::latched(),
                                               [&](const auto& m, const Tick&) { seen.maps.push_back(m); });
+    setup.input<map_msgs::msg::OccupancyGridUpdate>(
+        "map_updates", Qos::standard(), [&](const auto& m, const Tick&) { seen.updates.push_back(m); });
+    setup.input<visualization_msgs::msg::MarkerArray>(
+        "slam_toolbox/graph_visualization", Qos::latched(),
+        [&](const auto& m, const Tick&) { seen.graphs.push_back(m); });
     setup.input<nav_msgs::msg::Odometry>("odometry/filtered", Qos::standard(50),
                                          [&](const auto& m, const Tick&) { seen.poses.push_back(m); });
     setup.input<tf2_msgs::msg::TFMessage>("/tf", Qos::tf(), [&](const auto& m, const Tick&) {
@@ -182,6 +193,44 @@ TEST(SlamComponent, PublishesAMapThatGrowsToTheRoom) {
   EXPECT_NEAR(free * 0.05 * 0.05, 45.0, 3.0);  // 48 m^2 less cupboards of 2 and 0.7 m^2
   ASSERT_EQ(seen.shown.size(), 1U);
   EXPECT_EQ(seen.shown[0].map().info().width(), seen.maps.back().info().width());
+}
+
+// In 34 s of 2 s each, with the room seen from the first scan on: whole maps when the size changes and every
+// tenth second, updates between. Whoever lays these into those has at every time what is asked for by service.
+TEST(SlamComponent, UpdatesBetweenMapsAreThoseThatChanged) {
+  const Seen seen = run({.pauses = {{34.0, {}}}});
+  EXPECT_GE(seen.maps.size(), 3U);
+  EXPECT_LE(seen.maps.size(), 8U);
+  EXPECT_GE(seen.updates.size(), 8U);
+  ASSERT_EQ(seen.shown.size(), 1U);
+  EXPECT_EQ(seen.followed.data(), seen.shown[0].map().data());
+  EXPECT_EQ(seen.followed.info().origin().position().x(), seen.shown[0].map().info().origin().position().x());
+  EXPECT_EQ(seen.followed.info().origin().position().y(), seen.shown[0].map().info().origin().position().y());
+  EXPECT_EQ(seen.maps.back().data(), seen.followed.data())
+      << "four seconds after the last change it is told whole";
+}
+
+// Round the room more than twice, 2 m from submap to submap at 9.4 m a round: a sphere on the circle for each,
+// a line from each to the next, and loops, none of them taken back (red); told only when it changed.
+TEST(SlamComponent, ShowsItsGraphWhenItChanged) {
+  const Seen seen = run({.pauses = {{35.0, {}}}});
+  ASSERT_GE(seen.graphs.size(), 3U);
+  EXPECT_LE(seen.graphs.size(), 18U) << "an interval in which nothing changed tells nothing";
+  const auto& markers = seen.graphs.back().markers();
+  ASSERT_EQ(markers.size(), 4U);
+  namespace constants = visualization_msgs::msg::Marker_Constants;
+  EXPECT_EQ(markers[0].action(), constants::DELETEALL);
+  EXPECT_EQ(markers[1].type(), constants::SPHERE_LIST);
+  const std::size_t nodes = markers[1].points().size();
+  EXPECT_GE(nodes, 5U);
+  for (const auto& point : markers[1].points())
+    EXPECT_NEAR(std::hypot(point.x(), point.y() - kRadius), kRadius, 0.05);
+  EXPECT_EQ(markers[2].type(), constants::LINE_LIST);
+  EXPECT_EQ(markers[2].points().size(), 2 * (nodes - 1));
+  EXPECT_EQ(markers[3].type(), constants::LINE_LIST);
+  EXPECT_GE(markers[3].points().size(), 2U);
+  ASSERT_EQ(markers[3].colors().size(), markers[3].points().size());
+  for (const auto& color : markers[3].colors()) EXPECT_GE(color.g(), 0.6F) << "green to amber";
 }
 
 int occupied_near(const OccupancyGrid& grid, const Disc& disc) {

@@ -181,7 +181,7 @@ TEST_F(SlamGraphs, FindItsPlaceInTheWholeMap) {
   // Until then a map of its own; from when it knows where it is, that of the file.
   EXPECT_LT(worst_from(seen, script, 10.0), 0.06);
   EXPECT_NEAR(seen.poses.back().seconds, 20.0, 0.1);
-  EXPECT_GT(std::ranges::count_if(seen.messages, [](const std::string& m) { return m == "mapping"; }), 9);
+  EXPECT_GT(std::ranges::count_if(seen.messages, [](const std::string& m) { return m == "OK: mapping"; }), 9);
 }
 
 TEST_F(SlamGraphs, GoOnFromAGivenPoseThatIsSomeDecimetresOff) {
@@ -299,6 +299,28 @@ TEST(SlamInitialPose, KeepsThePoseWhereTheScanDoesNotFit) {
   ASSERT_EQ(with.poses.size(), without.poses.size());
   for (std::size_t k = 0; k < with.poses.size(); ++k)
     ASSERT_EQ(with.poses[k].X_MB, without.poses[k].X_MB) << k;
+}
+
+// Carried 3 m on along the circle at 10 s, unseen by odometry: half a second later it looks for its place, finds
+// it, and says for five seconds what was; the map is that of the room.
+TEST(SlamHealth, AKidnappedRobotSaysSoAndSparesTheMap) {
+  const bw::test::Folder folder;
+  const GraphScript script{.folder = folder / "", .seconds = 30.0, .carried = 6.0};
+  const GraphSeen seen = drive(script);
+  const auto is_lost = [](const std::string& m) {
+    return m.starts_with("LOST: kidnapped") || m.starts_with("DEGRADED: was carried away");
+  };
+  const auto first = std::ranges::find_if(seen.messages, is_lost);
+  ASSERT_NE(first, seen.messages.end());
+  EXPECT_LE(first - seen.messages.begin(), 12) << "a message a second, the robot was carried at 10 s";
+  EXPECT_GE(first - seen.messages.begin(), 9);
+  EXPECT_NEAR(static_cast<double>(std::ranges::count_if(seen.messages, is_lost)), 5.0, 1.0);
+  EXPECT_EQ(seen.messages.back(), "OK: mapping");
+  EXPECT_LT(worst_from(seen, script, 11.0), 0.1);
+  const GraphSeen calm = drive({.folder = folder / "", .seconds = 30.0});
+  const auto walls = [](const GraphSeen& s) { return std::ranges::count(s.maps.back(), 100); };
+  EXPECT_LT(10 * walls(seen), 11 * walls(calm));
+  EXPECT_TRUE(std::ranges::none_of(calm.messages, is_lost));
 }
 
 }  // namespace

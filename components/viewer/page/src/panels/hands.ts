@@ -7,6 +7,7 @@ import { DriveControl } from "./hands/drive_control";
 import { goalTool, sendGoal } from "./hands/goal";
 import { initialPoseTool, sendInitialPose } from "./hands/initial_pose";
 import { PeopleTools } from "./hands/people";
+import { SaveMap } from "./hands/save_map";
 import { Teleop } from "./hands/teleop";
 import { Waypoints } from "./hands/waypoints";
 import "./panels.css";
@@ -38,7 +39,7 @@ export function mountHands(root: HTMLElement, app: App): void {
     whyNot.hidden = app.hands.canCommand;
     setText(whyNot, app.hands.whyNot || "no robot is connected");
     if (!app.hands.canCommand && tools.some((tool) => tool.isTaken)) app.tool = undefined;
-    for (const part of [goal, pose, people, waypoints, control, teleop]) part.update();
+    for (const part of [goal, pose, people, waypoints, control, teleop, saveMap]) part.update();
   };
 
   const goal = goalTool(context, () => update());
@@ -46,6 +47,7 @@ export function mountHands(root: HTMLElement, app: App): void {
   const people = new PeopleTools(context, () => update());
   const waypoints = new Waypoints(context, () => update());
   const teleop = new Teleop(context);
+  const saveMap = new SaveMap(context);
   const control = new DriveControl(
     context,
     () => waypoints.sent,
@@ -66,6 +68,7 @@ export function mountHands(root: HTMLElement, app: App): void {
     waypoints.root,
     control.root,
     teleop.root,
+    saveMap.root,
     numbers,
     said,
   );

@@ -11,10 +11,12 @@ function connectionOf({ source, hands }: App): string {
 }
 
 function drawnBy({ layers, frames, isOn }: SceneOnPage) {
-  const { map, people, candidates, band, laser, robot } = layers;
+  const { map, graph, people, candidates, band, laser, robot } = layers;
   const isShown = (id: string, object: { visible: boolean }) => object.visible && isOn.get(id) === true;
   return {
     map: isShown("map", map.object) ? map.cells : 0,
+    bounds: map.bounds ?? null,
+    graph: isShown("graph", graph.object) ? { nodes: graph.nodes, loops: graph.loops } : null,
     people: isShown("people", people.object) ? people.positions() : [],
     bands: isShown("candidates", candidates.object) ? candidates.count : 0,
     band: isShown("band", band.object) ? band.positions() : [],

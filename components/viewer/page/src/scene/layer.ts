@@ -75,8 +75,11 @@ export abstract class TopicLayer<T> implements Layer {
   private drawn: Message<T> | undefined;
   private drawnWith: { palette: Palette; lift: number } | undefined;
 
-  constructor(private readonly wanted: Wanted) {
-    this.wants = [wanted];
+  constructor(
+    private readonly wanted: Wanted,
+    more: readonly Wanted[] = [],
+  ) {
+    this.wants = [wanted, ...more];
   }
 
   update(view: View): boolean {
@@ -100,7 +103,7 @@ export abstract class TopicLayer<T> implements Layer {
     return (value as { header: Header }).header;
   }
 
-  private current(view: View): Message<T> | undefined {
+  protected current(view: View): Message<T> | undefined {
     const message = view.message<T>(...this.wanted);
     return message && view.time - message.time <= this.holdsFor ? message : undefined;
   }

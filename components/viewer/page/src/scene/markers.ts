@@ -4,7 +4,7 @@ import type { Rgba } from "./palette";
 
 export const MARKER_ARRAY = "visualization_msgs/msg/MarkerArray";
 
-export const Kind = { arrow: 0, lineStrip: 4, lineList: 5, text: 9, triangleList: 11 } as const;
+export const Kind = { arrow: 0, lineStrip: 4, lineList: 5, sphereList: 7, text: 9, triangleList: 11 } as const;
 
 export interface Marker {
   header: Header;
@@ -16,6 +16,8 @@ export interface Marker {
   scale: { x: number; y: number; z: number };
   color: { r: number; g: number; b: number; a: number };
   points: { x: number; y: number; z: number }[];
+  /** One for each point, or none. */
+  colors: { r: number; g: number; b: number; a: number }[];
   text: string;
 }
 

@@ -3,6 +3,7 @@ import { BandLayer } from "./band";
 import { CandidatesLayer } from "./candidates";
 import { ConesLayer } from "./cones";
 import { GoalLayer } from "./goal";
+import { GraphLayer } from "./graph";
 import { LaserLayer } from "./laser";
 import { CostmapLayer, MapLayer } from "./map";
 import { ParticlesLayer } from "./particles";
@@ -30,6 +31,7 @@ export function makeLayers(app: App) {
     laser: new LaserLayer(),
     costmap: new CostmapLayer(),
     map: new MapLayer(),
+    graph: new GraphLayer(),
     pose: new PoseLayer(),
     particles: new ParticlesLayer(),
   };

@@ -1,5 +1,6 @@
 import { Grid, type OccupancyGrid } from "../gl/grid";
-import { TopicLayer, type Legend, type View } from "../layer";
+import type { Message } from "../../app";
+import { TopicLayer, type Legend, type View, type Wanted } from "../layer";
 import { put, secondsOf } from "../layer";
 import { withOpacity, type Rgba } from "../palette";
 import { compose, yawOf } from "../../source/transforms";
@@ -11,8 +12,8 @@ abstract class GridLayer extends TopicLayer<OccupancyGrid> {
   cells = 0;
   bounds: { x0: number; y0: number; x1: number; y1: number } | undefined;
 
-  constructor(suffix: string, order: number) {
-    super([suffix, OCCUPANCY_GRID]);
+  constructor(suffix: string, order: number, more: readonly Wanted[] = []) {
+    super([suffix, OCCUPANCY_GRID], more);
     this.grid = new Grid(order);
     this.object.add(this.grid.mesh);
   }
@@ -32,6 +33,31 @@ abstract class GridLayer extends TopicLayer<OccupancyGrid> {
   stamp = 0;
 }
 
+const UPDATE = "map_msgs/msg/OccupancyGridUpdate";
+
+interface Update {
+  header: { frame_id: string };
+  x: number;
+  y: number;
+  width: number;
+  height: number;
+  data: Int8Array;
+}
+
+/** The map with a part of it exchanged; undefined when the part is not of this map. */
+export function laidInto(map: OccupancyGrid, part: Update): OccupancyGrid | undefined {
+  const { width, height } = map.info;
+  const fits = part.x >= 0 && part.y >= 0 && part.x + part.width <= width && part.y + part.height <= height;
+  if (!fits || part.data.length !== part.width * part.height || map.data.length !== width * height) return undefined;
+  if (part.header.frame_id !== map.header.frame_id) return undefined;
+  const data = new Int8Array(map.data);
+  for (let row = 0; row < part.height; ++row) {
+    data.set(part.data.subarray(row * part.width, (row + 1) * part.width), (part.y + row) * width + part.x);
+  }
+  return { ...map, data };
+}
+
+/** The map, and what slam says has changed since: its updates hold all that did, so that the newest is enough. */
 export class MapLayer extends GridLayer {
   readonly id = "map";
   readonly name = "Map";
@@ -39,8 +65,21 @@ export class MapLayer extends GridLayer {
   protected override readonly holdsFor = Infinity;
   protected override readonly isHeld = true;
 
+  private laid: { map: unknown; part: unknown; result: Message<OccupancyGrid> } | undefined;
+
   constructor() {
-    super("/map", 0);
+    super("/map", 0, [["/map_updates", UPDATE]]);
+  }
+
+  protected override current(view: View): Message<OccupancyGrid> | undefined {
+    const map = super.current(view);
+    const part = view.message<Update>("/map_updates", UPDATE);
+    if (!map || !part || part.time < map.time) return map;
+    if (this.laid?.map !== map || this.laid.part !== part) {
+      const value = laidInto(map.value, part.value);
+      this.laid = { map, part, result: value ? { ...map, value } : map };
+    }
+    return this.laid.result;
   }
 
   protected colors({ palette }: View): [Rgba, Rgba] {

@@ -1,0 +1,87 @@
+#include "components/slam/adaptor/graph_markers.hpp"
+
+#include <algorithm>
+
+#include "components/messages/markers.hpp"
+
+namespace bw::slam {
+namespace {
+
+using visualization_msgs::msg::Marker;
+using visualization_msgs::msg::MarkerArray;
+namespace constants = visualization_msgs::msg::Marker_Constants;
+
+constexpr double kAgrees = 7.8;      // squared Mahalanobis distance, as Phi
+constexpr double kTakenBack = 41.5;  // a tenth of the weight is left: Phi (2 / sqrt(0.1) - 1)
+constexpr Color kNode{0.34F, 0.71F, 0.91F, 1.0F};
+constexpr Color kDrive{0.55F, 0.60F, 0.65F, 1.0F};
+constexpr Color kGood{0.0F, 0.62F, 0.45F, 1.0F};
+constexpr Color kStrained{0.90F, 0.62F, 0.0F, 1.0F};
+constexpr Color kBad{0.84F, 0.37F, 0.0F, 1.0F};
+
+Color between(const Color& a, const Color& b, double share) {
+  Color color{};
+  for (std::size_t i = 0; i < color.size(); ++i)
+    color[i] = a[i] + static_cast<float>(std::clamp(share, 0.0, 1.0)) * (b[i] - a[i]);
+  return color;
+}
+
+Color color_of(double residual) {
+  if (residual <= kAgrees) return between(kGood, kStrained, residual / kAgrees);
+  return between(kStrained, kBad, (residual - kAgrees) / (kTakenBack - kAgrees));
+}
+
+geometry_msgs::msg::Point to_point(const Pose2& X) {
+  geometry_msgs::msg::Point point;
+  point.x(X.x);
+  point.y(X.y);
+  return point;
+}
+
+}  // namespace
+
+MarkerArray to_markers(const Slam& slam, const Pose2& X_MW, const std::string& frame, Time stamp) {
+  const std_msgs::msg::Header header = make_header(frame, stamp);
+  const auto marker = [&](const char* name_space, std::int32_t type, double size, const Color& color) {
+    Marker made = make_marker(name_space, 0, type, {}, header);
+    made.scale().x(size);
+    made.scale().y(size);
+    made.scale().z(size);
+    paint(made, color);
+    return made;
+  };
+  MarkerArray array;
+  array.markers().push_back(make_marker("slam_toolbox", 0, constants::SPHERE_LIST, {}, header));
+  array.markers().back().action(constants::DELETEALL);
+  const std::vector<Pose2>& X_WS = slam.X_MS();
+  if (X_WS.empty()) return array;
+  Marker nodes = marker("slam_toolbox", constants::SPHERE_LIST, 0.15, kNode);
+  Marker drive = marker("slam_toolbox_edges", constants::LINE_LIST, 0.04, kDrive);
+  Marker loops = marker("slam_toolbox_loops", constants::LINE_LIST, 0.06, kGood);
+  const auto point = [&](std::size_t submap) { return to_point(X_MW * X_WS[submap]); };
+  for (std::size_t k = 0; k < X_WS.size(); ++k) {
+    nodes.points().push_back(point(k));
+    if (k == 0) continue;
+    drive.points().push_back(point(slam.map()[k].parent(k)));
+    drive.points().push_back(point(k));
+  }
+  for (const Loop& loop : slam.loops()) {
+    const Color color = color_of(disagreement(loop.edge, X_WS));
+    std_msgs::msg::ColorRGBA painted;
+    painted.r(color[0]);
+    painted.g(color[1]);
+    painted.b(color[2]);
+    painted.a(color[3]);
+    for (const std::size_t end : {loop.edge.from, loop.edge.to}) {
+      loops.points().push_back(point(end));
+      loops.colors().push_back(painted);
+    }
+  }
+  array.markers().push_back(std::move(nodes));
+  // A list without points is an error to rviz.
+  for (Marker* lines : {&drive, &loops})
+    if (!lines->points().empty()) array.markers().push_back(std::move(*lines));
+  return array;
+}
+
+}  // namespace bw::slam
