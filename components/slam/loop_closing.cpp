@@ -133,9 +133,10 @@ LoopSearch& LoopClosing::look(View& view, std::size_t before) const {
   if (view.loops) return *view.loops;
   const std::size_t later = submaps_.size() - 1;
   const Submap& submap = submaps_[later];
-  // Frames of the ones before, in the newest; the first scans of a submap were placed in the one before it.
+  // Frames of the ones before, in the newest; the first scan of a submap may have been placed in the second one
+  // before it, which ended there.
   std::vector<Pose2> X_SK{Pose2{}};
-  for (std::size_t k = later; k > 0 && !submaps_[k].found_in && X_SK.size() <= before + 1; --k)
+  for (std::size_t k = later; k > 0 && !submaps_[k].found_in && X_SK.size() <= before + 2; --k)
     X_SK.push_back(X_SK.back() * inverse(submaps_[k].X_PS.X));
   before = std::min(before, X_SK.size() - 1);
   const Submap& first = submaps_[later - before];

@@ -52,6 +52,7 @@ TEST(GraphFile, GoesOnAsIfThereHadBeenNoBreak) {
   const std::size_t all = drive.scans.size();
   Slam whole{SlamOptions{}};
   test::map_along(whole, drive, 0, half);
+  whole.settle();  // as saving does
   const std::vector<Pose2> expected = test::map_along(whole, drive, half, all);
   ASSERT_GT(whole.loop_counts().accepted, 0);
 
@@ -68,7 +69,7 @@ TEST(GraphFile, GoesOnAsIfThereHadBeenNoBreak) {
   for (std::size_t k = 0; k < told.size(); ++k)
     ASSERT_EQ(bits(told[k]), bits(expected[k])) << "scan " << half + k;
   EXPECT_EQ(second.loop_counts().accepted, whole.loop_counts().accepted);
-  EXPECT_EQ(graph_bytes({{}, second.save()}), graph_bytes({{}, whole.save()}));
+  EXPECT_TRUE(graph_bytes({{}, second.save()}) == graph_bytes({{}, whole.save()}));
   RecordProperty("bytes", static_cast<int>(saved.size()));
 }
 
