@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -11,6 +12,7 @@
 #include <Eigen/Geometry>
 
 #include "components/model/sweep_motion.hpp"
+#include "components/slam/relocalization.hpp"
 
 namespace bw::slam {
 namespace {
@@ -119,9 +121,25 @@ const char* advice_for(SweepFault fault) {
 
 class Replay {
  public:
-  Replay(const RecordedDrive& drive, const SlamOptions& options, const ReplayHooks& hooks)
-      : drive_(drive), options_(options), hooks_(hooks), odometry_(drive.odometry), result_(options) {}
+  Replay(const RecordedDrive& drive, const SlamOptions& options, const ReplayHooks& hooks, SlamReplay& result)
+      : drive_(drive), options_(options), hooks_(hooks), odometry_(drive.odometry), result_(result) {
+    if (result.scans.empty()) return;
+    search_ = std::make_unique<PlaceSearch>(result.slam);
+    later_ = result.scans.back().time + Duration::seconds(60.0) - drive.scans.front().time;
+  }
 
+  void run() {
+    for (std::size_t n = 0; n < drive_.scans.size(); ++n) {
+      if (hooks_.progress && !hooks_.progress(n, drive_.scans.size())) break;
+      add(drive_.scans[n]);
+    }
+    if (!search_) result_.slam.finish();
+    const std::vector<std::string> sentences = dropped_.sentences();
+    result_.left_out.insert(result_.left_out.end(), sentences.begin(), sentences.end());
+  }
+  bool is_placed() const { return search_ == nullptr; }
+
+ private:
   void add(const ScanSample& sample) {
     const double before = now();
     const std::optional<Tracked> tracked = track(sample);
@@ -134,13 +152,6 @@ class Replay {
     if (hooks_.after_scan) hooks_.after_scan(result_);
   }
 
-  SlamReplay finish() {
-    result_.slam.finish();
-    result_.left_out = dropped_.sentences();
-    return std::move(result_);
-  }
-
- private:
   double now() const { return hooks_.clock ? hooks_.clock() : 0.0; }
 
   std::optional<Tracked> track(const ScanSample& sample) {
@@ -179,9 +190,27 @@ class Replay {
       return X ? std::optional<Pose2>(X_BO * *X) : std::nullopt;
     });
     sweep.beam_poses = poses;
-    Tracked tracked = result_.slam.add(scan_of(sweep, options_), *X_OB);
-    result_.scans.push_back({.time = sweep.time, .placement = tracked.placement, .X_OB = *X_OB});
+    Scan scan = scan_of(sweep, options_);
+    scan.time = scan.time + later_;
+    if (search_ && !find_place(scan, *X_OB)) {
+      dropped_.add("scans left out: the robot's place in the map was not found yet", sample,
+                   "a drive that goes on with a map begins where the map is, and drives some metres");
+      return std::nullopt;
+    }
+    Tracked tracked = result_.slam.add(scan, *X_OB);
+    result_.scans.push_back({.time = scan.time, .placement = tracked.placement, .X_OB = *X_OB});
     return tracked;
+  }
+
+  bool find_place(const Scan& scan, const Pose2& X_OB) {
+    search_->add(scan, X_OB);
+    while (search_->advance()) {
+    }
+    const std::optional<Place> place = search_->place();
+    if (!place) return false;
+    search_.reset();
+    result_.slam.begin_at(place->submap, place->X_SB);
+    return true;
   }
 
   void work_on_loops() {
@@ -197,20 +226,31 @@ class Replay {
   const ReplayHooks& hooks_;
   OdometryAt odometry_;
   Dropped dropped_;
-  SlamReplay result_;
+  SlamReplay& result_;
+  std::unique_ptr<PlaceSearch> search_;  ///< while the robot's place in the map is not known
+  Duration later_;                       ///< than the stamps of the drive
 };
+
+void require_drive(const RecordedDrive& drive) {
+  if (drive.scans.empty()) throw std::runtime_error("the drive has no laser scans");
+  if (drive.odometry.empty()) throw std::runtime_error("the drive has no odometry");
+}
 
 }  // namespace
 
 SlamReplay replay(const RecordedDrive& drive, const SlamOptions& options, const ReplayHooks& hooks) {
-  if (drive.scans.empty()) throw std::runtime_error("the drive has no laser scans");
-  if (drive.odometry.empty()) throw std::runtime_error("the drive has no odometry");
-  Replay replayed(drive, options, hooks);
-  for (std::size_t n = 0; n < drive.scans.size(); ++n) {
-    if (hooks.progress && !hooks.progress(n, drive.scans.size())) break;
-    replayed.add(drive.scans[n]);
-  }
-  return replayed.finish();
+  require_drive(drive);
+  SlamReplay result(options);
+  Replay(drive, options, hooks, result).run();
+  return result;
+}
+
+bool replay_more(SlamReplay& so_far, const RecordedDrive& drive, const SlamOptions& options,
+                 const ReplayHooks& hooks) {
+  require_drive(drive);
+  Replay replayed(drive, options, hooks, so_far);
+  replayed.run();
+  return replayed.is_placed();
 }
 
 }  // namespace bw::slam

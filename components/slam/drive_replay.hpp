@@ -52,4 +52,10 @@ struct ReplayHooks {
 /// Throws std::runtime_error where the drive has no scans or no odometry.
 SlamReplay replay(const RecordedDrive& drive, const SlamOptions& options, const ReplayHooks& hooks = {});
 
+/// Another drive in the same place: the robot is looked for in the map (relocalization.hpp), scans until it
+/// is found are left out, and from there on the map grows. Its scans follow those that are there, a minute
+/// later. False: it was not found, and the map is as it was. Throws as replay().
+bool replay_more(SlamReplay& so_far, const RecordedDrive& drive, const SlamOptions& options,
+                 const ReplayHooks& hooks = {});
+
 }  // namespace bw::slam

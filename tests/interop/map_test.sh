@@ -33,7 +33,8 @@ grep -q '^resolution: 0.1$' home.yaml
 refuses 2 "none.mcap" none.mcap -o new
 refuses 2 "there is no folder nowhere" drive -o nowhere/new
 refuses 2 "did you mean 'resolution'" drive -o new --set slam.resolutio=0.1
-refuses 2 "a map is made of one bag" drive drive -o new
+"$program" map drive drive -o two >two.txt # the same drive again: its place is found
+grep -q "^map       two.yaml" two.txt
 refuses 2 "there is no /other of type sensor_msgs/msg/LaserScan; --scan names one of: /scan" drive -o new --scan /other
 [[ ! -e new.yaml && ! -e new.pgm ]]
 exit "$failed"

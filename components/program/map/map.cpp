@@ -94,26 +94,32 @@ nlohmann::ordered_json to_json(const MadeMap& map, const std::filesystem::path& 
 }
 
 int run(const MapArguments& arguments) {
-  if (arguments.bags.size() > 1)
-    throw std::runtime_error("a map is made of one bag: several drives are not put together yet");
   const MapMakingOptions options{arguments.odometry, arguments.scans, slam::slam_options_of(arguments.set)};
   const std::filesystem::path yaml = yaml_of(arguments);
-  const std::string path = arguments.bags.front().string();
-  const auto recording = bag::open_bag(path);
+  std::vector<std::unique_ptr<bag::Bag>> recordings;
+  std::vector<DriveBag> bags;
+  for (const std::filesystem::path& path : arguments.bags) {
+    recordings.push_back(bag::open_bag(path));
+    bags.push_back({*recordings.back(), path.string()});
+  }
   cli::catch_interrupts();
   const auto before = std::chrono::steady_clock::now();
   MadeMap map;
   {
     Progress progress;
-    map = make_map(*recording, path, options,
-                   [&](std::size_t done, std::size_t of) { return progress(done, of); });
+    map = make_map(bags, options, [&](std::size_t done, std::size_t of) { return progress(done, of); });
   }
   if (!map.is_whole) {
     std::cerr << "interrupted: no map is written\n";
     return 1;
   }
+  if (!map.unplaced.empty()) {
+    std::cerr << map.unplaced
+              << ": the robot's place in the map of the bags before was not found; no map is written\n";
+    return 1;
+  }
   if (map.scans_used == 0) {
-    std::cerr << path << ": no scan could be used\n" << map_report(map);
+    std::cerr << "no scan could be used\n" << map_report(map);
     return 1;
   }
   save_map(map.grid, yaml, {}, ImageFormat::pgm, arguments.overwrite ? Existing::replace : Existing::refuse);
@@ -129,7 +135,9 @@ int run(const MapArguments& arguments) {
 
 void add_map(cli::Verb verb) {
   auto arguments = std::make_shared<MapArguments>();
-  verb.option("BAG", arguments->bags, "Recording with a laser's scans and odometry").required();
+  verb.option("BAG", arguments->bags,
+              "Recordings with a laser's scans and odometry; several drives in one place make one map")
+      .required();
   verb.option("-o,--out", arguments->out, "NAME of the map: NAME.yaml and NAME.pgm").required();
   verb.option("--scan", arguments->scans,
               "Topic of the scans, if not /scan and not the only one; once for each scanner")
@@ -145,7 +153,7 @@ void add_map(cli::Verb verb) {
 
 }  // namespace
 
-BW_VERB(drive, "map", "A map from a recorded drive: map_server's pair of files, and what it is made of",
+BW_VERB(drive, "map", "A map from recorded drives: map_server's pair of files, and what it is made of",
         add_map)
 
 }  // namespace bw

@@ -74,48 +74,62 @@ LoopResiduals residuals_of(const slam::Slam& made) {
   return r;
 }
 
-double travel_of(const slam::SlamReplay& replayed) {
-  double travel = 0.0;
-  for (std::size_t k = 1; k < replayed.scans.size(); ++k)
-    travel += (replayed.pose(k).position() - replayed.pose(k - 1).position()).norm();
-  return travel;
+BagDrive read_drive(const DriveBag& bag, const MapMakingOptions& options) {
+  BagDrive read = drive_of_bag(bag.recording, topics_of(bag.recording, bag.path, options), bag.path);
+  for (const bool scans : {true, false}) {
+    if (scans ? !read.drive.scans.empty() : !read.drive.odometry.empty()) continue;
+    throw std::runtime_error(fmt::format("{}: {} of use in it{}{}", bag.path,
+                                         scans ? "no scan" : "no odometry", read.left_out.empty() ? "" : ": ",
+                                         fmt::join(read.left_out, "; ")));
+  }
+  return read;
+}
+
+/// Adds what is told of one drive, whose scans are those from `first` on.
+void add_drive(const slam::SlamReplay& replayed, std::size_t first, MadeMap& map) {
+  const auto& scans = replayed.scans;
+  if (first >= scans.size()) return;
+  map.seconds += (scans.back().time - scans[first].time).to_seconds();
+  for (std::size_t k = first + 1; k < scans.size(); ++k)
+    map.travel += (replayed.pose(k).position() - replayed.pose(k - 1).position()).norm();
 }
 
 }  // namespace
 
-MadeMap make_map(const bag::Bag& recording, const std::string& path, const MapMakingOptions& options,
+MadeMap make_map(const std::vector<DriveBag>& bags, const MapMakingOptions& options,
                  const slam::SlamProgress& progress) {
-  const BagDrive read = drive_of_bag(recording, topics_of(recording, path, options), path);
-  for (const bool scans : {true, false}) {
-    if (scans ? !read.drive.scans.empty() : !read.drive.odometry.empty()) continue;
-    throw std::runtime_error(fmt::format("{}: {} of use in it{}{}", path, scans ? "no scan" : "no odometry",
-                                         read.left_out.empty() ? "" : ": ", fmt::join(read.left_out, "; ")));
-  }
   MadeMap map;
+  slam::SlamReplay replayed(options.slam);
   const auto tell = [&](std::size_t done, std::size_t of) {
     map.is_whole = !progress || progress(done, of);
     return map.is_whole;
   };
-  const slam::SlamReplay replayed = slam::replay(read.drive, options.slam, {.progress = tell});
+  for (const DriveBag& bag : bags) {
+    const BagDrive read = read_drive(bag, options);
+    const std::size_t first = replayed.scans.size();
+    const std::size_t sentences = replayed.left_out.size();
+    const bool is_placed = slam::replay_more(replayed, read.drive, options.slam, {.progress = tell});
+    map.scans += read.drive.scans.size();
+    add_drive(replayed, first, map);
+    for (const bag::BagFault& fault : bag.recording.faults())
+      map.left_out.push_back(fmt::format("{}: byte {}: {}", fault.file.string(), fault.offset, fault.what));
+    map.left_out.insert(map.left_out.end(), read.left_out.begin(), read.left_out.end());
+    for (std::size_t i = sentences; i < replayed.left_out.size(); ++i)
+      map.left_out.push_back((bags.size() > 1 ? bag.path + ": " : "") + replayed.left_out[i]);
+    if (!is_placed && map.is_whole) map.unplaced = bag.path;
+    if (!is_placed || !map.is_whole) break;
+  }
   slam::MapPainter painter(options.slam.resolution, {});
   while (painter.update(replayed.slam, 1000)) {
   }
   map.grid = painter.grid();
-  map.scans = read.drive.scans.size();
   map.scans_used = replayed.scans.size();
   map.unmatched = replayed.slam.counts().unmatched;
-  if (map.scans_used > 0)
-    map.seconds = (replayed.scans.back().time - replayed.scans.front().time).to_seconds();
-  map.travel = travel_of(replayed);
   map.submaps = replayed.slam.submaps();
   map.loops = replayed.slam.loop_counts();
   map.residuals = residuals_of(replayed.slam);
   const auto free = std::ranges::count(map.grid.cells, OccupancyGrid::kFree);
   map.free_area = static_cast<double>(free) * map.grid.resolution * map.grid.resolution;
-  for (const bag::BagFault& fault : recording.faults())
-    map.left_out.push_back(fmt::format("{}: byte {}: {}", fault.file.string(), fault.offset, fault.what));
-  map.left_out.insert(map.left_out.end(), read.left_out.begin(), read.left_out.end());
-  map.left_out.insert(map.left_out.end(), replayed.left_out.begin(), replayed.left_out.end());
   return map;
 }
 

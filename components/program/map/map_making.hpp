@@ -40,12 +40,19 @@ struct MadeMap {
   LoopResiduals residuals;
   double free_area = 0.0;             ///< [m^2]
   std::vector<std::string> left_out;  ///< sentences: what was not used, and what to do
+  std::string unplaced;               ///< path of the bag whose robot was not found in the map; empty: none
   bool is_whole = true;               ///< false: `progress` ended it
 };
 
-/// Of any bag with scans and odometry. `path` is for messages. Throws std::runtime_error naming it: no scans,
-/// no odometry, a topic that is not there or that has to be chosen, with the topics that there are.
-MadeMap make_map(const bag::Bag& recording, const std::string& path, const MapMakingOptions& options,
+struct DriveBag {
+  const bag::Bag& recording;
+  std::string path;  ///< for messages
+};
+
+/// Of bags with scans and odometry, one after the other: in the map of those before, the robot is looked for
+/// first. Throws std::runtime_error naming the bag: no scans, no odometry, a topic that is not there or that
+/// has to be chosen, with the topics that there are.
+MadeMap make_map(const std::vector<DriveBag>& bags, const MapMakingOptions& options,
                  const slam::SlamProgress& progress = {});
 
 /// Sentences for people.

@@ -167,6 +167,41 @@ TEST(DriveReplay, EndsWhereItsCallerSays) {
   EXPECT_EQ(replayed.scans.size(), 20U);
 }
 
+// The same way twice, the second time by an odometry that counts from elsewhere: once the robot is found its
+// poses are those of the first drive.
+TEST(DriveReplay, GoesOnWithAnotherDrive) {
+  const RecordedDrive first = straight_drive();
+  RecordedDrive second = straight_drive();
+  const Pose2 X_elsewhere{40.0, -7.0, 2.0};
+  for (OdometrySample& sample : second.odometry) sample.X_OB = X_elsewhere * sample.X_OB;
+  SlamReplay replayed = replay(first, {});
+  ASSERT_TRUE(replay_more(replayed, second, {}));
+  ASSERT_GT(replayed.scans.size(), 60U + 30U) << "found within the first 3 m";
+  const std::size_t left_out = 120U - replayed.scans.size();
+  if (left_out > 0) {
+    EXPECT_THAT(replayed.left_out, ElementsAre(StartsWith(std::to_string(left_out) + " scans left out")));
+  }
+  for (std::size_t k = 60; k < replayed.scans.size(); ++k) {
+    EXPECT_GT(replayed.scans[k].time, replayed.scans[k - 1].time);
+    EXPECT_LT(test::distance(replayed.pose(k), first.odometry[k - 60 + left_out].X_OB), 0.05) << k;
+  }
+}
+
+// A room that is nowhere in the map.
+TEST(DriveReplay, DoesNotGoOnWhereNothingFits) {
+  SlamReplay replayed = replay(straight_drive(), {});
+  RecordedDrive other = straight_drive(5);
+  test::Scanner scanner(test::room(3.0, 15.0), 0.005, 1, {.beams = 360});
+  for (ScanSample& scan : other.scans) {
+    const LaserSweep sweep = scanner.sweep(scan.time, {});
+    scan.ranges.assign(sweep.ranges.begin(), sweep.ranges.end());
+  }
+  const std::size_t submaps = replayed.slam.submaps();
+  EXPECT_FALSE(replay_more(replayed, other, {}));
+  EXPECT_EQ(replayed.scans.size(), 60U);
+  EXPECT_EQ(replayed.slam.submaps(), submaps);
+}
+
 TEST(DriveReplay, RefusesADriveWithoutScansOrOdometry) {
   RecordedDrive drive = straight_drive(2);
   RecordedDrive none = drive;

@@ -2,9 +2,11 @@
 #include "components/program/map/map_making.hpp"
 
 #include <filesystem>
+#include <memory>
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -50,26 +52,47 @@ sensor_msgs::msg::LaserScan message_of(const ScanSample& sample) {
   return message;
 }
 
+void write_into(TestBag& bag, const RecordedDrive& drive, const std::string& odom, const std::string& scan) {
+  tf2_msgs::msg::TFMessage mount;
+  mount.transforms().resize(1);
+  mount.transforms()[0].header().frame_id("base_link");
+  mount.transforms()[0].child_frame_id("laser");
+  mount.transforms()[0].transform().rotation().w(1.0);
+  bag.add("/tf_static", kStart, mount);
+  for (const OdometrySample& sample : drive.odometry)
+    bag.add(odom, kStart + sample.time.to_seconds(), message_of(sample));
+  for (const ScanSample& sample : drive.scans)
+    bag.add(scan, kStart + sample.time.to_seconds(), message_of(sample));
+}
+
+void write_bag(const std::filesystem::path& file, const RecordedDrive& drive) {
+  TestBag bag(file);
+  write_into(bag, drive, "/odom", "/scan");
+  bag.close();
+}
+
+MadeMap make_of(const std::vector<std::filesystem::path>& files, const MapMakingOptions& options = {},
+                const slam::SlamProgress& progress = {}) {
+  std::vector<std::unique_ptr<bag::Bag>> recordings;
+  std::vector<DriveBag> bags;
+  for (const std::filesystem::path& file : files) {
+    recordings.push_back(bag::open_bag(file));
+    bags.push_back({*recordings.back(), file.string()});
+  }
+  return make_map(bags, options, progress);
+}
+
 class MapMaking : public ::testing::Test {
  protected:
   void TearDown() override { std::filesystem::remove(file_); }
 
   void write(const RecordedDrive& drive, const std::string& odom = "/odom",
              const std::string& scan = "/scan") {
-    tf2_msgs::msg::TFMessage mount;
-    mount.transforms().resize(1);
-    mount.transforms()[0].header().frame_id("base_link");
-    mount.transforms()[0].child_frame_id("laser");
-    mount.transforms()[0].transform().rotation().w(1.0);
-    bag_.add("/tf_static", kStart, mount);
-    for (const OdometrySample& sample : drive.odometry)
-      bag_.add(odom, kStart + sample.time.to_seconds(), message_of(sample));
-    for (const ScanSample& sample : drive.scans)
-      bag_.add(scan, kStart + sample.time.to_seconds(), message_of(sample));
+    write_into(bag_, drive, odom, scan);
   }
   MadeMap make(const MapMakingOptions& options = {}, const slam::SlamProgress& progress = {}) {
     bag_.close();
-    return make_map(*bag::open_bag(file_), file_.string(), options, progress);
+    return make_of({file_}, options, progress);
   }
   std::string refusal(const MapMakingOptions& options = {}) {
     try {
@@ -138,9 +161,8 @@ TEST_F(MapMaking, AsksWhereThereAreSeveral) {
   EXPECT_THAT(refusal(),
               HasSubstr("there is no /scan of type sensor_msgs/msg/LaserScan; --scan names one of: "
                         "/front/scan, /rear/scan"));
-  EXPECT_EQ(make_map(*bag::open_bag(file_), "", {.scans = {"/front/scan"}}).scans_used, drive.scans.size());
-  EXPECT_EQ(make_map(*bag::open_bag(file_), "", {.scans = {"/front/scan", "/rear/scan"}}).scans,
-            drive.scans.size() + 1);
+  EXPECT_EQ(make_of({file_}, {.scans = {"/front/scan"}}).scans_used, drive.scans.size());
+  EXPECT_EQ(make_of({file_}, {.scans = {"/front/scan", "/rear/scan"}}).scans, drive.scans.size() + 1);
 }
 
 TEST_F(MapMaking, WithoutScansIsRefusedWithTheTopicsThereAre) {
@@ -170,6 +192,32 @@ TEST_F(MapMaking, TellsWhichScansItLeftOut) {
   EXPECT_THAT(map.left_out,
               Contains(HasSubstr("20 scans left out: no odometry at their time; first at 0.000 s in frame "
                                  "laser: it begins 2.000 s later")));
+}
+
+// Two drives in one office, the second by its own odometry: one map, whose walls are still those of the
+// building. A drive in a warehouse has no place in it.
+TEST_F(MapMaking, OfTwoDrivesIsOneMap) {
+  const buildings::Building office = buildings::make_building(buildings::BuildingKind::office, 1);
+  const RecordedDrive drive = buildings::drive_through(office, for_seconds(40.0));
+  buildings::BuildingDriveOptions again = for_seconds(80.0);
+  again.seed = 2;
+  write(drive);
+  bag_.close();
+  const std::filesystem::path second = file_.string() + ".second.mcap";
+  const std::filesystem::path elsewhere = file_.string() + ".elsewhere.mcap";
+  write_bag(second, buildings::drive_through(office, again));
+  write_bag(elsewhere,
+            buildings::drive_through(buildings::make_building(buildings::BuildingKind::warehouse, 1),
+                                     for_seconds(5.0)));
+  const MadeMap map = make_of({file_, second});
+  EXPECT_EQ(map.unplaced, "");
+  EXPECT_EQ(map.scans, 401U + 801U);
+  EXPECT_GT(map.scans_used, 401U + 600U) << "found within some metres";
+  const Pose2 X_TM{drive.truth.front().position.x(), drive.truth.front().position.y(),
+                   *drive.truth.front().heading};
+  EXPECT_GT(slam::score_map(map.grid, buildings::known_map(office), X_TM).precision(), 0.97);
+  EXPECT_EQ(make_of({file_, elsewhere}).unplaced, elsewhere.string());
+  for (const auto& file : {second, elsewhere}) std::filesystem::remove(file);
 }
 
 TEST_F(MapMaking, EndsWhereItsCallerSays) {
