@@ -10,7 +10,7 @@
 namespace bw::slam {
 
 /// Submaps as spheres, the drive and the loops as lines between them. A loop is green where it agrees with the
-/// graph, red where it has lost nine tenths of its weight (theory.md 10.10). It replaces what was shown before.
+/// graph, red where it has lost nine tenths of its weight (pose_graph.hpp). It replaces what was shown before.
 visualization_msgs::msg::MarkerArray to_markers(const Slam& slam, const Pose2& X_MW, const std::string& frame,
                                                 Time stamp);
 
