@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 
 #include "components/slam/pairwise_consistency.hpp"
 
@@ -76,11 +77,16 @@ bool LoopClosing::advance() {
     return true;
   }
   if (search_->next < search_->candidates.size()) {
-    const std::size_t earlier = search_->candidates[search_->next++];
-    ++counts_.searched;
+    const std::size_t earlier = search_->candidates[search_->next];
     const bool again = earlier + kInView < submaps_.size();
-    LoopSearch& loops = again ? look(search_->with_before, kBefore) : look(search_->newest, 0);
-    if (auto loop = loops.find(submaps_[earlier], search_->others[earlier])) {
+    View& view = again ? search_->with_before : search_->newest;
+    if (!view.loops) {
+      look(view, again ? kBefore : 0);
+      return true;
+    }
+    ++search_->next;
+    ++counts_.searched;
+    if (auto loop = view.loops->find(submaps_[earlier], search_->others[earlier])) {
       ++counts_.found;
       loop->edge.from = earlier;
       loop->edge.to = submaps_.size() - 1;
@@ -129,8 +135,7 @@ void LoopClosing::begin_search() {
   search.candidates = candidates(search.others);
 }
 
-LoopSearch& LoopClosing::look(View& view, std::size_t before) const {
-  if (view.loops) return *view.loops;
+void LoopClosing::look(View& view, std::size_t before) const {
   const std::size_t later = submaps_.size() - 1;
   const Submap& submap = submaps_[later];
   // Frames of the ones before, in the newest; the first scan of a submap may have been placed in the second one
@@ -141,15 +146,29 @@ LoopSearch& LoopClosing::look(View& view, std::size_t before) const {
   before = std::min(before, X_SK.size() - 1);
   const Submap& first = submaps_[later - before];
   view.walls = submap.surfaces;
-  if (before > 0)
-    for (const Surface& surface : first.surfaces) view.walls.push_back(moved(surface, X_SK[before]));
+  if (before > 0) {
+    // Walls that both saw, once: a cell has one surface.
+    std::unordered_set<std::int64_t> taken;
+    const auto take = [&](const Surface& surface) {
+      const auto i =
+          static_cast<std::int64_t>(std::floor(static_cast<double>(surface.x) / options_.resolution));
+      const auto j =
+          static_cast<std::int64_t>(std::floor(static_cast<double>(surface.y) / options_.resolution));
+      return taken.insert(i * 1'000'003 + j).second;
+    };
+    for (const Surface& surface : submap.surfaces) take(surface);
+    for (const Surface& surface : first.surfaces) {
+      const Surface there = moved(surface, X_SK[before]);
+      if (take(there)) view.walls.push_back(there);
+    }
+  }
   const std::size_t stride = std::max<std::size_t>(1, (submap.last_node - first.first_node) / kImages);
   for (std::size_t n = first.first_node; n < submap.last_node && n < nodes_.size(); n += stride) {
     const Placement& placement = nodes_[n].placement;
     view.images.push_back(&nodes_[n].ranges);
     view.X_SB.push_back(X_SK[later - placement.submap] * placement.X_SB);
   }
-  return view.loops.emplace(view.walls, view.images, view.X_SB, options_);
+  view.loops.emplace(view.walls, view.images, view.X_SB, options_);
 }
 
 std::vector<std::size_t> LoopClosing::candidates(const std::vector<UncertainPose>& others) {

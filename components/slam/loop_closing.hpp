@@ -70,7 +70,7 @@ class LoopClosing {
   void take_up();
   void begin_search();
   /// Walls of the newest submap and, if `before` is not 0, of the one so many before it on the same drive.
-  LoopSearch& look(View& view, std::size_t before) const;
+  void look(View& view, std::size_t before) const;
   /// Submaps that the newest may have seen again; others: their poses in it.
   std::vector<std::size_t> candidates(const std::vector<UncertainPose>& others);
   bool accept();  ///< true: a loop that poses must move for
