@@ -47,8 +47,10 @@ bool same_place(const Pose2& a, const Pose2& b) {
   return d.head<2>().norm() <= kSamePlace && std::abs(d.z()) <= kSameHeading;
 }
 
-SlamOptions without_loops(SlamOptions options) {
+// A map of what lies around alone.
+SlamOptions local_options(SlamOptions options) {
   options.do_loop_closing = false;
+  options.holds_back = false;
   return options;
 }
 
@@ -86,7 +88,7 @@ std::optional<Place> place_near(const Slam& map, std::span<const SurfacePoint> p
   return best;
 }
 
-PlaceSearch::PlaceSearch(const Slam& map) : map_(map), local_(without_loops(map.options())) {}
+PlaceSearch::PlaceSearch(const Slam& map) : map_(map), local_(local_options(map.options())) {}
 
 void PlaceSearch::add(const Scan& scan, const Pose2& X_OB) {
   placement_ = local_.add(scan, X_OB).placement;

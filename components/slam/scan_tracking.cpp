@@ -12,7 +12,6 @@ constexpr int kIterations = 10;
 constexpr double kGoodMatch = 0.6;         // share of inliers with which nothing else is searched for
 constexpr double kLeastMatch = 0.15;       // with less the scan says nothing
 constexpr double kHardlyMeets = 0.35;      // a scan of another place does at most
-constexpr int kMostHeld = 8;               // scans, more than SlamHealth waits for
 constexpr std::size_t kFewPoints = 30;     // say nothing of the place
 constexpr double kHardlyMoved = 0.3;       // [m, rad] what is in view is the same
 constexpr double kRefinedFrom = 0.2;       // [m] up to which refinement finds the way by itself
@@ -124,13 +123,9 @@ ScanTracking::Match ScanTracking::match(const Scan& scan, const UncertainPose& p
 }
 
 int ScanTracking::held(const Scan& scan, const Pose2& X_OB, double inliers) {
+  if (!options_.holds_back) return 0;
   if (inliers >= kGoodMatch) met_X_OB_ = X_OB;
   if (inliers >= kHardlyMeets || scan.points.size() < kFewPoints) return held_ = 0;
-  if (held_ >= kMostHeld) {
-    // Nobody took it away, or nobody looks where it is: the map goes on until it is met well again.
-    met_X_OB_.reset();
-    return held_ = 0;
-  }
   if (held_ > 0) return ++held_;
   const Pose2 moved = met_X_OB_ ? inverse(*met_X_OB_) * X_OB : Pose2{};
   const bool at_once =

@@ -16,7 +16,8 @@ struct Tracked {
   bool matched = false;  ///< else by odometry alone
   bool enters_map = false;
   /// Scans in a row, this one among them, that do not meet the map though one just before did and the robot
-  /// hardly moved by odometry since: somebody carried it away. None of them enters the map.
+  /// hardly moved by odometry since: somebody carried it away. None of them enters the map. 0 unless
+  /// SlamOptions::holds_back.
   int held = 0;
   Pose2 by_odometry;               ///< the step from the scan before
   Pose2 by_scan;                   ///< the same with what the scan says
@@ -25,7 +26,7 @@ struct Tracked {
 
 class ScanTracking {
  public:
-  /// All of it between two scans.
+  /// All of it between two scans, but which of them are held back.
   struct State {
     struct Active {
       SurfaceMap::State surface;

@@ -24,6 +24,10 @@ struct SlamOptions {
   double odometry_travel_noise = 0.05;
   double odometry_heading_noise = 0.1;
 
+  /// Scans that all at once do not meet the map are kept out of it (Tracked::held): for whoever looks where the
+  /// robot is then, since nothing else ends it
+  bool holds_back = false;
+
   template <class Visitor>
   void fields(Visitor& v) {
     v("resolution", resolution, {.unit = "m", .min = 0.01, .max = 0.2, .doc = "edge of a cell of the map"});

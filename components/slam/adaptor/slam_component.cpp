@@ -75,6 +75,7 @@ void SlamComponent::begin_map() {
   const MapStartPose& start = parameters_.map_start_pose;
   X_MW_ = {start.x, start.y, start.yaw};
   options_ = parameters_.algorithm;
+  options_.holds_back = true;
   search_.reset();
   slam_ = std::make_unique<Slam>(options_);
   painter_ = std::make_unique<MapPainter>(options_.resolution, X_MW_);
