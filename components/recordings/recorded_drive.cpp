@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "components/model/differential_drive.hpp"
+#include "components/model/sweep_motion.hpp"
 
 namespace bw {
 
@@ -37,6 +38,17 @@ Time count_from(std::optional<Time> start, RecordedDrive& drive) {
 
 OdometrySample advance(const OdometrySample& sample, const Twist2& twist, Time time) {
   return {time, advance_exact(sample.X_OB, twist, (time - sample.time).to_seconds()), twist};
+}
+
+std::optional<Pose2> odometry_at(const std::vector<OdometrySample>& odometry, Time time, Duration longest) {
+  const auto after = std::ranges::lower_bound(odometry, time, {}, &OdometrySample::time);
+  if (after == odometry.end()) return std::nullopt;
+  if (after->time == time) return after->X_OB;
+  if (after == odometry.begin()) return std::nullopt;
+  const OdometrySample& before = *(after - 1);
+  const Duration gap = after->time - before.time;
+  if (gap > longest) return std::nullopt;
+  return pose_between(before.X_OB, after->X_OB, (time - before.time).to_seconds() / gap.to_seconds());
 }
 
 std::optional<ReferencePose> reference_at(const RecordedDrive& drive, Time time, Duration longest) {

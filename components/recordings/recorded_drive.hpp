@@ -102,6 +102,10 @@ WheelStep step_between(const RecordedDrive& drive, const OdometrySample& from, c
 /// Continues an odometry along the arc of `twist` until `time`.
 OdometrySample advance(const OdometrySample& sample, const Twist2& twist, Time time);
 
+/// X_OB at a stamp, by one body velocity between two samples; nothing outside of them or in a gap longer than
+/// `longest`. In order of time.
+std::optional<Pose2> odometry_at(const std::vector<OdometrySample>& odometry, Time time, Duration longest);
+
 /// Reference at a stamp by interpolation; nothing outside of the reference or in a gap longer than `longest`.
 std::optional<ReferencePose> reference_at(const RecordedDrive& drive, Time time, Duration longest);
 

@@ -17,44 +17,24 @@
 namespace bw::slam {
 namespace {
 
-constexpr double kLongestGap = 1.0;  // [s] between two odometry messages, over which a pose is interpolated
+constexpr Duration kLongestGap = Duration::milliseconds(1000);  // over which odometry is interpolated
 
-class OdometryAt {
- public:
-  explicit OdometryAt(const std::vector<OdometrySample>& samples) : samples_(samples) {}
+std::string seconds(Duration d) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f s", d.to_seconds());
+  return text;
+}
 
-  std::optional<Pose2> operator()(Time time) const {
-    const auto after = std::lower_bound(samples_.begin(), samples_.end(), time,
-                                        [](const OdometrySample& sample, Time t) { return sample.time < t; });
-    if (after == samples_.end()) return std::nullopt;
-    if (after->time == time) return after->X_OB;
-    if (after == samples_.begin()) return std::nullopt;
-    const OdometrySample& before = *(after - 1);
-    const double gap = (after->time - before.time).to_seconds();
-    if (gap > kLongestGap) return std::nullopt;
-    return pose_between(before.X_OB, after->X_OB, (time - before.time).to_seconds() / gap);
-  }
-
-  /// What there is instead of a pose at `time`.
-  std::string around(Time time) const {
-    if (time < samples_.front().time)
-      return "it begins " + seconds(samples_.front().time - time) +
-             " later: start to record it before the laser";
-    if (time > samples_.back().time)
-      return "it ends " + seconds(time - samples_.back().time) +
-             " earlier: record it to the end, with stamps of the laser's clock";
-    return "it has a gap there, longer than 1 s: look why the base was silent";
-  }
-
- private:
-  static std::string seconds(Duration d) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3f s", d.to_seconds());
-    return text;
-  }
-
-  const std::vector<OdometrySample>& samples_;
-};
+// What there is instead of odometry at `time`.
+std::string around(const std::vector<OdometrySample>& odometry, Time time) {
+  if (time < odometry.front().time)
+    return "it begins " + seconds(odometry.front().time - time) +
+           " later: start to record it before the laser";
+  if (time > odometry.back().time)
+    return "it ends " + seconds(time - odometry.back().time) +
+           " earlier: record it to the end, with stamps of the laser's clock";
+  return "it has a gap there, longer than 1 s: look why the base was silent";
+}
 
 // The scanner on the base, and whether it hangs upside down: then its angles turn the other way.
 struct Mount {
@@ -90,9 +70,7 @@ class Dropped {
     auto [entry, is_new] = entries_.try_emplace(what);
     ++entry->second.first;
     if (!is_new) return;
-    char at[32];
-    std::snprintf(at, sizeof at, "%.3f s", scan.time.to_seconds());
-    entry->second.second = "; first at " + std::string(at) + " in frame " +
+    entry->second.second = "; first at " + seconds(scan.time - Time{}) + " in frame " +
                            (scan.frame.empty() ? "(without name)" : scan.frame) + ": " + advice;
   }
   std::vector<std::string> sentences() const {
@@ -122,7 +100,7 @@ const char* advice_for(SweepFault fault) {
 class Replay {
  public:
   Replay(const RecordedDrive& drive, const SlamOptions& options, const ReplayHooks& hooks, SlamReplay& result)
-      : drive_(drive), options_(options), hooks_(hooks), odometry_(drive.odometry), result_(result) {
+      : drive_(drive), options_(options), hooks_(hooks), result_(result) {
     if (result.scans.empty()) return;
     search_ = std::make_unique<PlaceSearch>(result.slam);
     later_ = result.scans.back().time + Duration::seconds(60.0) - drive.scans.front().time;
@@ -152,6 +130,7 @@ class Replay {
     if (hooks_.after_scan) hooks_.after_scan(result_);
   }
 
+  std::optional<Pose2> odometry(Time time) const { return odometry_at(drive_.odometry, time, kLongestGap); }
   double now() const { return hooks_.clock ? hooks_.clock() : 0.0; }
 
   std::optional<Tracked> track(const ScanSample& sample) {
@@ -179,14 +158,14 @@ class Replay {
       dropped_.add(std::string("scans left out: ") + to_text(fault), sample, advice_for(fault));
       return std::nullopt;
     }
-    const std::optional<Pose2> X_OB = odometry_(sweep.time);
+    const std::optional<Pose2> X_OB = odometry(sweep.time);
     if (!X_OB) {
-      dropped_.add("scans left out: no odometry at their time", sample, odometry_.around(sweep.time));
+      dropped_.add("scans left out: no odometry at their time", sample, around(drive_.odometry, sweep.time));
       return std::nullopt;
     }
     const Pose2 X_BO = inverse(*X_OB);
     const std::vector<Pose2> poses = beam_poses(sweep, sweep.X_FL, [&](Time t) -> std::optional<Pose2> {
-      const std::optional<Pose2> X = odometry_(t);
+      const std::optional<Pose2> X = odometry(t);
       return X ? std::optional<Pose2>(X_BO * *X) : std::nullopt;
     });
     sweep.beam_poses = poses;
@@ -224,7 +203,6 @@ class Replay {
   const RecordedDrive& drive_;
   const SlamOptions& options_;
   const ReplayHooks& hooks_;
-  OdometryAt odometry_;
   Dropped dropped_;
   SlamReplay& result_;
   std::unique_ptr<PlaceSearch> search_;  ///< while the robot's place in the map is not known

@@ -11,9 +11,9 @@
 #include "components/lab/bench/slam/handicaps.hpp"
 #include "components/lab/bench/slam/relations_file.hpp"
 #include "components/lab/bench/slam/trajectory.hpp"
-#include "components/lab/bench/slam/work_times.hpp"
 #include "components/recordings/files/imported_drive.hpp"
 #include "components/slam/files/slam_settings.hpp"
+#include "runtime/base/quantile.hpp"
 
 namespace bw {
 namespace {

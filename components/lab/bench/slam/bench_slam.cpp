@@ -7,9 +7,9 @@
 
 #include "components/lab/bench/bench_common.hpp"
 #include "components/lab/bench/buildings/known_map.hpp"
-#include "components/lab/bench/slam/work_times.hpp"
 #include "components/slam/files/slam_settings.hpp"
 #include "components/slam/map_painter.hpp"
+#include "runtime/base/quantile.hpp"
 
 namespace bw {
 namespace {
@@ -18,8 +18,7 @@ using nlohmann::ordered_json;
 
 OccupancyGrid painted(const slam::Slam& made, double resolution, const Pose2& X_WM) {
   slam::MapPainter painter(resolution, X_WM);
-  while (painter.update(made, 1000)) {
-  }
+  painter.finish(made);
   return painter.grid();
 }
 

@@ -50,7 +50,7 @@ std::optional<Pose2> Trajectory::at(Time time) const {
   const std::size_t next = scans[k].time < time ? k + 1 : k;
   if (next > 0 && next < scans.size() && scans[next].time - scans[next - 1].time <= kShortGap)
     return pose_between(poses_[next - 1], poses_[next], share(scans[next - 1].time, time, scans[next].time));
-  const std::optional<Pose2> X_OB = odometry_at(time);
+  const std::optional<Pose2> X_OB = odometry_at(odometry_, time, kShortGap);
   if (!X_OB || distance > kFarthest) return std::nullopt;
   return poses_[k] * (inverse(scans[k].X_OB) * *X_OB);
 }
@@ -60,18 +60,6 @@ std::optional<Pose2> Trajectory::of_scan(Time time) const {
   const std::size_t k = nearest(replayed_.scans, time);
   if (apart(replayed_.scans[k].time, time) > kSameStamp) return std::nullopt;
   return poses_[k];
-}
-
-std::optional<Pose2> Trajectory::odometry_at(Time time) const {
-  if (odometry_.empty()) return std::nullopt;
-  const std::size_t i = nearest(odometry_, time);
-  if (apart(odometry_[i].time, time) <= kSameStamp) return odometry_[i].X_OB;
-  const std::size_t after = odometry_[i].time < time ? i + 1 : i;
-  if (after == 0 || after == odometry_.size()) return std::nullopt;
-  const OdometrySample& a = odometry_[after - 1];
-  const OdometrySample& b = odometry_[after];
-  if (b.time - a.time > kShortGap) return std::nullopt;
-  return pose_between(a.X_OB, b.X_OB, share(a.time, time, b.time));
 }
 
 }  // namespace bw::slam

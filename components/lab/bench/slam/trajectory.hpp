@@ -31,8 +31,6 @@ class Trajectory {
   static constexpr Duration kFarthest = Duration::milliseconds(10'000);
 
  private:
-  std::optional<Pose2> odometry_at(Time time) const;
-
   const SlamReplay& replayed_;
   const std::vector<OdometrySample>& odometry_;
   std::vector<Pose2> poses_;

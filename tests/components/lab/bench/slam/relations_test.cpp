@@ -18,7 +18,6 @@
 #include "components/lab/bench/slam/relation_score.hpp"
 #include "components/lab/bench/slam/relations_file.hpp"
 #include "components/lab/bench/slam/trajectory.hpp"
-#include "components/lab/bench/slam/work_times.hpp"
 #include "components/recordings/files/imported_drive.hpp"
 
 namespace bw::slam {
@@ -133,12 +132,6 @@ TEST(Handicaps, ANarrowViewKeepsTheBeamsAhead) {
   EXPECT_NEAR(drive.scans[0].time.to_seconds(), 0.09, 1e-7);
   thin_out_scans(drive, 2);
   EXPECT_EQ(drive.scans.size(), 3U) << "the first, third and fifth";
-}
-
-TEST(WorkTimes, QuantileIsTheLeastThatTheShareDoesNotExceed) {
-  EXPECT_EQ(quantile({3.0, 1.0, 2.0, 4.0}, 0.5), 2.0);
-  EXPECT_EQ(quantile({3.0, 1.0, 2.0, 4.0}, 0.99), 4.0);
-  EXPECT_EQ(quantile({}, 0.5), 0.0);
 }
 
 // Scans at 0, 2 and 2.5 s, odometry each second: at 0.00001 s the scan's own pose; at 1 s the first scan's
