@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include <Eigen/Eigenvalues>
+#include <zlib.h>
 
 #include "components/slam/graph_fields.hpp"
 
@@ -25,20 +26,8 @@ constexpr std::uint32_t kNone = 0xffffffff;
 constexpr double kMostCells = 4e8;      // of the box of a map
 constexpr double kBesideSubmap = 65.0;  // [m] that beams reach
 
-// CRC-32 of ISO 3309, as of zip and PNG.
 std::uint32_t checksum(std::string_view bytes) {
-  static constexpr auto kTable = [] {
-    std::array<std::uint32_t, 256> table{};
-    for (std::uint32_t n = 0; n < 256; ++n) {
-      std::uint32_t c = n;
-      for (int bit = 0; bit < 8; ++bit) c = (c & 1U) != 0 ? 0xedb88320U ^ (c >> 1U) : c >> 1U;
-      table[n] = c;
-    }
-    return table;
-  }();
-  std::uint32_t crc = 0xffffffffU;
-  for (const char byte : bytes) crc = kTable[(crc ^ static_cast<std::uint8_t>(byte)) & 0xffU] ^ (crc >> 8U);
-  return ~crc;
+  return static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
 template <class T>

@@ -18,6 +18,11 @@ class MapPainter {
   /// Draws at most `most` scans. X_MW: what Slam calls its map, in the frame that is drawn in. False: all is as it
   /// should be.
   bool update(const Slam& slam, int most);
+  /// All that is left to draw.
+  void finish(const Slam& slam) {
+    while (update(slam, 1000)) {
+    }
+  }
 
   /// Counts up with each scan that was drawn.
   std::int64_t drawn() const { return drawn_; }

@@ -167,7 +167,8 @@ bool PlaceSearch::advance() {
 
 void PlaceSearch::look(const Block& block) {
   const double least = std::max(kLeastPlaceScore, best_ - kWorse);
-  const auto found = branch_and_bound(*grids_, points_, block.start, block.window, least, visited_);
+  std::int64_t visited = 0;
+  const auto found = branch_and_bound(*grids_, points_, block.start, block.window, least, visited);
   if (!found) return;
   const Submap& submap = map_.map()[submap_];
   if (!surface_map_) surface_map_.emplace(map_.options().resolution, submap.surfaces);

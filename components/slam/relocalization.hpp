@@ -76,7 +76,6 @@ class PlaceSearch {
   std::optional<SurfaceMap> surface_map_;
   std::vector<Candidate> candidates_;
   double best_ = 0.0;
-  std::int64_t visited_ = 0;
   std::int64_t searches_ = 0;
   Doubt doubt_ = Doubt::none;
   std::optional<Place> place_;

@@ -120,8 +120,7 @@ MadeMap make_map(const std::vector<DriveBag>& bags, const MapMakingOptions& opti
     if (!is_placed || !map.is_whole) break;
   }
   slam::MapPainter painter(options.slam.resolution, {});
-  while (painter.update(replayed.slam, 1000)) {
-  }
+  painter.finish(replayed.slam);
   map.grid = painter.grid();
   map.scans_used = replayed.scans.size();
   map.unmatched = replayed.slam.counts().unmatched;

@@ -135,8 +135,7 @@ void SlamComponent::continue_map(SavedGraph graph, const std::optional<Pose2>& X
   slam_ = std::make_unique<Slam>(std::move(graph.slam));
   slam_->finish();
   painter_ = std::make_unique<MapPainter>(resolution, X_MW_);
-  while (painter_->update(*slam_, 1000)) {
-  }
+  painter_->finish(*slam_);
   map_.begin(resolution);
   looks_for_place_ = true;
   given_ = X_MB;

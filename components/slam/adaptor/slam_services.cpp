@@ -35,8 +35,7 @@ void SlamComponent::offer_services(Setup& setup) {
         }
         try {
           slam_->settle();
-          while (painter_->update(*slam_, 1000)) {
-          }
+          painter_->finish(*slam_);
           const std::filesystem::path file = path_of_map(folder_, request.name().data());
           save_map(painter_->grid(), file, {}, ImageFormat::pgm,
                    parameters_.overwrite ? Existing::replace : Existing::refuse);
