@@ -2,20 +2,6 @@
 
 namespace bw::localization {
 
-std::string_view to_string(HealthState state) {
-  switch (state) {
-    case HealthState::init:
-      return "INIT";
-    case HealthState::ok:
-      return "OK";
-    case HealthState::degraded:
-      return "DEGRADED";
-    case HealthState::lost:
-      return "LOST";
-  }
-  return "unknown";
-}
-
 std::string_view to_string(HealthCause cause) {
   switch (cause) {
     case HealthCause::no_position:

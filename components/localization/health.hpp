@@ -5,14 +5,9 @@
 #include <string_view>
 #include <vector>
 
-namespace bw::localization {
+#include "components/model/health_state.hpp"
 
-enum class HealthState {
-  init,      ///< no pose yet
-  ok,        ///< every source that was ever heard agrees
-  degraded,  ///< usable, for a while or with care
-  lost       ///< do not drive by it
-};
+namespace bw::localization {
 
 enum class HealthCause {
   no_position,         ///< INIT: too few fixes that agree
@@ -33,7 +28,6 @@ enum class HealthCause {
   several_places       ///< the scan fits in several places; weight of the best one
 };
 
-std::string_view to_string(HealthState state);
 std::string_view to_string(HealthCause cause);
 
 struct HealthReason {

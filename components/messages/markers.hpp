@@ -13,11 +13,17 @@ namespace bw {
 
 using Color = std::array<float, 4>;  ///< red, green, blue, opacity: each 0 to 1
 
+inline std_msgs::msg::ColorRGBA to_color(const Color& color) {
+  std_msgs::msg::ColorRGBA message;
+  message.r(color[0]);
+  message.g(color[1]);
+  message.b(color[2]);
+  message.a(color[3]);
+  return message;
+}
+
 inline void paint(visualization_msgs::msg::Marker& marker, const Color& color) {
-  marker.color().r(color[0]);
-  marker.color().g(color[1]);
-  marker.color().b(color[2]);
-  marker.color().a(color[3]);
+  marker.color(to_color(color));
 }
 
 /// At the origin of the header's frame, without size. It vanishes by itself after `lifetime`; zero: never.

@@ -25,6 +25,7 @@
 #include "components/program/score_card_json.hpp"
 #include "components/program/snapshots.hpp"
 #include "components/program/taps.hpp"
+#include "runtime/base/process_memory.hpp"
 #include "runtime/cli/signals.hpp"
 #include "runtime/parameters/overrides.hpp"
 
@@ -50,8 +51,7 @@ nlohmann::json process_json() {
   const auto seconds = [](const timeval& t) {
     return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
   };
-  return {{"cpu_s", seconds(usage.ru_utime) + seconds(usage.ru_stime)},
-          {"max_rss_mb", static_cast<double>(usage.ru_maxrss) * 1024e-6}};  // it comes in KiB
+  return {{"cpu_s", seconds(usage.ru_utime) + seconds(usage.ru_stime)}, {"max_rss_mb", peak_memory_mb()}};
 }
 
 /// Asks the host to end when a person does.

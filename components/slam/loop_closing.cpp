@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_set>
 
+#include "components/slam/once_per_cell.hpp"
 #include "components/slam/pairwise_consistency.hpp"
 
 namespace bw::slam {
@@ -148,18 +148,11 @@ void LoopClosing::look(View& view, std::size_t before) const {
   view.walls = submap.surfaces;
   if (before > 0) {
     // Walls that both saw, once: a cell has one surface.
-    std::unordered_set<std::int64_t> taken;
-    const auto take = [&](const Surface& surface) {
-      const auto i =
-          static_cast<std::int64_t>(std::floor(static_cast<double>(surface.x) / options_.resolution));
-      const auto j =
-          static_cast<std::int64_t>(std::floor(static_cast<double>(surface.y) / options_.resolution));
-      return taken.insert(i * 1'000'003 + j).second;
-    };
-    for (const Surface& surface : submap.surfaces) take(surface);
+    OncePerCell cells(options_.resolution);
+    for (const Surface& surface : submap.surfaces) cells.take(surface);
     for (const Surface& surface : first.surfaces) {
       const Surface there = moved(surface, X_SK[before]);
-      if (take(there)) view.walls.push_back(there);
+      if (cells.take(there)) view.walls.push_back(there);
     }
   }
   const std::size_t stride = std::max<std::size_t>(1, (submap.last_node - first.first_node) / kImages);

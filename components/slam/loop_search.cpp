@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <unordered_set>
 
 #include "components/slam/branch_and_bound.hpp"
+#include "components/slam/once_per_cell.hpp"
 #include "components/slam/refinement.hpp"
 
 namespace bw::slam {
@@ -21,9 +21,6 @@ constexpr double kLeastWindow = 0.3;  // [m]
 constexpr double kOverlap = 6.0;      // [m] between the frames of submaps that share walls
 constexpr double kLeastTurn = 0.05;   // [rad]
 constexpr double kMostTurn = 0.7;     // [rad]
-constexpr double kLoopNoise = 0.03;
-constexpr double kLoopTurnNoise = 0.008;
-constexpr double kFree = 3.0;  // [m] along a direction that nothing shows
 
 std::vector<SurfacePoint> points_of(std::span<const Surface> surfaces) {
   std::vector<SurfacePoint> points;
@@ -35,13 +32,10 @@ std::vector<SurfacePoint> points_of(std::span<const Surface> surfaces) {
 }  // namespace
 
 std::vector<Vector2> thinned(std::span<const Surface> surfaces) {
-  std::unordered_set<std::int64_t> taken;
+  OncePerCell cells(kApart);
   std::vector<Vector2> points;
-  for (const Surface& s : surfaces) {
-    const auto i = static_cast<std::int64_t>(std::floor(static_cast<double>(s.x) / kApart));
-    const auto j = static_cast<std::int64_t>(std::floor(static_cast<double>(s.y) / kApart));
-    if (taken.insert(i * 1000003 + j).second) points.emplace_back(s.x, s.y);
-  }
+  for (const Surface& s : surfaces)
+    if (cells.take(s)) points.emplace_back(s.x, s.y);
   return points;
 }
 
@@ -145,13 +139,8 @@ std::optional<Loop> LoopSearch::find(const Submap& earlier, const UncertainPose&
   for (const Pose2& X : X_SB_) poses.push_back(X_earlier_later * X);
   loop.through = seen_through(earlier.surfaces, images_, poses);
   if (loop.through > kMostThrough) return std::nullopt;
-  const Eigen::Matrix3d weak =
-      Eigen::Vector3d{1.0 / (kFree * kFree), 1.0 / (kFree * kFree), 1.0}.asDiagonal();
-  UncertainPose X{refined.X, (refined.information + weak).inverse()};
-  X.covariance.diagonal() +=
-      Eigen::Vector3d{kLoopNoise * kLoopNoise, kLoopNoise * kLoopNoise, kLoopTurnNoise * kLoopTurnNoise};
   loop.edge.loop = true;
-  loop.edge.X = inverse(X);
+  loop.edge.X = inverse(with_covariance(refined));
   return loop;
 }
 

@@ -4,10 +4,14 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 namespace bw::slam {
 namespace {
 
+constexpr double kNoise = 0.03;            // [m] of a pose in a submap, beyond what the scan says
+constexpr double kTurnNoise = 0.008;       // [rad]
+constexpr double kFree = 3.0;              // [m] along a direction that nothing shows
 constexpr double kPointNoise = 0.025;      // [m] of a point along a normal: the scanner's and the map's
 constexpr double kEffectivePoints = 15.0;  // the errors of neighbouring beams are alike
 constexpr double kUsualRms = 0.02;  // [m] where points lie farther from the walls, clutter is taken for walls
@@ -117,6 +121,14 @@ Refined refine(const SurfaceMap& map, std::span<const SurfacePoint> points, cons
     if (step.head<2>().norm() < kConverged && std::abs(step.z()) < kConverged) iterations = iteration + 1;
   }
   return result;
+}
+
+UncertainPose with_covariance(const Refined& refined) {
+  const Eigen::Matrix3d weak =
+      Eigen::Vector3d{1.0 / (kFree * kFree), 1.0 / (kFree * kFree), 1.0}.asDiagonal();
+  UncertainPose X{refined.X, (refined.information + weak).inverse()};
+  X.covariance.diagonal() += Eigen::Vector3d{kNoise * kNoise, kNoise * kNoise, kTurnNoise * kTurnNoise};
+  return X;
 }
 
 }  // namespace bw::slam

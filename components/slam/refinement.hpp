@@ -29,4 +29,7 @@ inline constexpr double kInlier = 0.1;
 Refined refine(const SurfaceMap& map, std::span<const SurfacePoint> points, const Pose2& start,
                const UncertainPose* prior, int iterations);
 
+/// With what the points do not say of a submap added: 3 cm, 8 mrad, and 3 m along a direction that no wall shows.
+UncertainPose with_covariance(const Refined& refined);
+
 }  // namespace bw::slam

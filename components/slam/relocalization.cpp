@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/LU>
-
 #include "components/slam/branch_and_bound.hpp"
 #include "components/slam/loop_search.hpp"
 
@@ -16,9 +14,6 @@ constexpr std::size_t kSubmapsAround = 6;
 constexpr double kAround = 12.0;  // [m] from the pose to the frame of a submap
 constexpr double kLeastOnWalls = 0.6;
 constexpr int kPlaceIterations = 15;
-constexpr double kPlaceNoise = 0.03;  // [m] beyond what the scan says
-constexpr double kPlaceTurnNoise = 0.008;
-constexpr double kPlaceFree = 3.0;  // [m] along a direction that nothing shows
 
 constexpr double kBeside = 4.0;  // [m] from the way of the map's robot
 constexpr double kBlock = 3.2;   // [m] half of the edge of what is searched at a time
@@ -29,18 +24,9 @@ constexpr double kRival = 0.1;      // a place as good as this less may be the r
 constexpr double kSamePlace = 0.5;  // [m]
 constexpr double kSameHeading = 0.2;
 constexpr std::size_t kMostSearched = 100;  // points
-constexpr std::size_t kAgain = 5;  // nodes of the local map until it is searched for again
-constexpr std::size_t kLooks = 8;  // scans of the local map that look through walls
+constexpr std::size_t kAgain = 5;           // nodes of the local map until it is searched for again
+constexpr std::size_t kLooks = 8;           // scans of the local map that look through walls
 constexpr SearchWindow kLastLook{0.4, 0.4, 0.15};
-
-UncertainPose with_covariance(const Refined& refined) {
-  const Eigen::Matrix3d weak =
-      Eigen::Vector3d{1.0 / (kPlaceFree * kPlaceFree), 1.0 / (kPlaceFree * kPlaceFree), 1.0}.asDiagonal();
-  UncertainPose X{refined.X, (refined.information + weak).inverse()};
-  X.covariance.diagonal() += Eigen::Vector3d{kPlaceNoise * kPlaceNoise, kPlaceNoise * kPlaceNoise,
-                                             kPlaceTurnNoise * kPlaceTurnNoise};
-  return X;
-}
 
 bool same_place(const Pose2& a, const Pose2& b) {
   const Eigen::Vector3d d = difference(a, b);

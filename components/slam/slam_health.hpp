@@ -6,17 +6,11 @@
 #include <deque>
 #include <optional>
 
+#include "components/model/health_state.hpp"
 #include "components/slam/scan_tracking.hpp"
 #include "runtime/base/time.hpp"
 
 namespace bw::slam {
-
-enum class HealthState : std::uint8_t {
-  init,      ///< no scan yet
-  ok,        ///< the scan meets the map
-  degraded,  ///< usable with care
-  lost       ///< do not drive by it
-};
 
 enum class HealthCause : std::uint8_t {
   none,

@@ -4,7 +4,6 @@
 #include <cstdio>
 
 #include <nlohmann/json.hpp>
-#include <sys/resource.h>
 
 #include "components/lab/bench/bench_common.hpp"
 #include "components/local_planner/footprint_check.hpp"
@@ -12,6 +11,7 @@
 #include "components/local_planner/teb/band_optimizer.hpp"
 #include "components/local_planner/teb/teb_options.hpp"
 #include "components/model/differential_drive.hpp"
+#include "runtime/base/process_memory.hpp"
 #include "runtime/base/quantile.hpp"
 
 namespace bw {
@@ -87,12 +87,6 @@ double drive_time(PlanningProblem problem, LocalPlanner& planner, bool& arrived)
   return time;
 }
 
-double most_memory_mb() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
-
 struct Sweep {
   Crowding crowding;
   const char* name;
@@ -111,7 +105,7 @@ Json print_sweep(const Sweep& sweep, const std::string& planner, int repetitions
                 r.count, r.field_ms, r.cold_band_ms, r.cold_band_ms / least.cold_band_ms, r.warm_band_ms,
                 r.warm_band_ms / least.warm_band_ms, r.cold_cycle_ms, r.cold_cycle_ms / least.cold_cycle_ms,
                 r.warm_cycle_ms, r.warm_cycle_ms / least.warm_cycle_ms, r.cost, r.cost_without_limits,
-                r.left_out, most_memory_mb());
+                r.left_out, peak_memory_mb());
     rows.push_back({{"count", r.count},
                     {"field_ms", r.field_ms},
                     {"cold_band_ms", r.cold_band_ms},
@@ -121,7 +115,7 @@ Json print_sweep(const Sweep& sweep, const std::string& planner, int repetitions
                     {"cost", r.cost},
                     {"cost_without_limits", r.cost_without_limits},
                     {"obstacles_left_out", r.left_out},
-                    {"most_memory_mb", most_memory_mb()}});
+                    {"peak_memory_mb", peak_memory_mb()}});
   }
   return {{"what", sweep.name}, {"planner", planner}, {"rows", std::move(rows)}};
 }

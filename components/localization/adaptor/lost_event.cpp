@@ -3,7 +3,7 @@
 #include "runtime/event.hpp"
 
 using bw::EventRule;
-using bw::localization::HealthState;
+using bw::HealthState;
 
 BW_EVENT(lost, "localization", "/diagnostics", "the localization is LOST",
          {{.field = "status[].name", .rule = EventRule::is, .text = "{name}"},

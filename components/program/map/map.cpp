@@ -9,12 +9,12 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <sys/resource.h>
 
 #include "components/files/map_file.hpp"
 #include "components/program/map/map_making.hpp"
 #include "components/slam/files/slam_settings.hpp"
 #include "runtime/atomic_file.hpp"
+#include "runtime/base/process_memory.hpp"
 #include "runtime/cli/signals.hpp"
 #include "runtime/cli/terminal.hpp"
 #include "runtime/cli/verb.hpp"
@@ -64,12 +64,6 @@ class Progress {
   std::size_t shown_ = 101;
 };
 
-double memory_mb() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
-
 nlohmann::ordered_json to_json(const MadeMap& map, const std::filesystem::path& yaml, double seconds) {
   const LoopResiduals& r = map.residuals;
   return {{"map", yaml.string()},
@@ -90,7 +84,7 @@ nlohmann::ordered_json to_json(const MadeMap& map, const std::filesystem::path& 
           {"height", map.grid.height},
           {"resolution_m", map.grid.resolution},
           {"real_time_s", seconds},
-          {"max_rss_mb", memory_mb()}};
+          {"max_rss_mb", peak_memory_mb()}};
 }
 
 int run(const MapArguments& arguments) {
@@ -126,7 +120,7 @@ int run(const MapArguments& arguments) {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
   std::cout << map_report(map)
             << fmt::format("work      {:.1f} s, {:.0f} times as fast as the drive; {:.0f} MB at most\n",
-                           seconds, map.seconds / seconds, memory_mb())
+                           seconds, map.seconds / seconds, peak_memory_mb())
             << "map       " << yaml.string() << "\n";
   if (!arguments.json.empty())
     write_file_atomically(arguments.json, to_json(map, yaml, seconds).dump(1) + "\n");

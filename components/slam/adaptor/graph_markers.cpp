@@ -11,8 +11,6 @@ using visualization_msgs::msg::Marker;
 using visualization_msgs::msg::MarkerArray;
 namespace constants = visualization_msgs::msg::Marker_Constants;
 
-constexpr double kAgrees = 7.8;      // squared Mahalanobis distance, as Phi
-constexpr double kTakenBack = 41.5;  // a tenth of the weight is left: Phi (2 / sqrt(0.1) - 1)
 constexpr Color kNode{0.34F, 0.71F, 0.91F, 1.0F};
 constexpr Color kDrive{0.55F, 0.60F, 0.65F, 1.0F};
 constexpr Color kGood{0.0F, 0.62F, 0.45F, 1.0F};
@@ -26,16 +24,10 @@ Color between(const Color& a, const Color& b, double share) {
   return color;
 }
 
-Color color_of(double residual) {
-  if (residual <= kAgrees) return between(kGood, kStrained, residual / kAgrees);
-  return between(kStrained, kBad, (residual - kAgrees) / (kTakenBack - kAgrees));
-}
-
-geometry_msgs::msg::Point to_point(const Pose2& X) {
-  geometry_msgs::msg::Point point;
-  point.x(X.x);
-  point.y(X.y);
-  return point;
+// By the share of its weight that a loop keeps in the graph: all of it, a half, none.
+Color color_of(double weight) {
+  return weight > 0.5 ? between(kStrained, kGood, 2.0 * weight - 1.0)
+                      : between(kBad, kStrained, 2.0 * weight);
 }
 
 }  // namespace
@@ -58,7 +50,7 @@ MarkerArray to_markers(const Slam& slam, const Pose2& X_MW, const std::string& f
   Marker nodes = marker("slam_toolbox", constants::SPHERE_LIST, 0.15, kNode);
   Marker drive = marker("slam_toolbox_edges", constants::LINE_LIST, 0.04, kDrive);
   Marker loops = marker("slam_toolbox_loops", constants::LINE_LIST, 0.06, kGood);
-  const auto point = [&](std::size_t submap) { return to_point(X_MW * X_WS[submap]); };
+  const auto point = [&](std::size_t submap) { return to_point((X_MW * X_WS[submap]).position()); };
   for (std::size_t k = 0; k < X_WS.size(); ++k) {
     nodes.points().push_back(point(k));
     if (k == 0) continue;
@@ -66,15 +58,10 @@ MarkerArray to_markers(const Slam& slam, const Pose2& X_MW, const std::string& f
     drive.points().push_back(point(k));
   }
   for (const Loop& loop : slam.loops()) {
-    const Color color = color_of(disagreement(loop.edge, X_WS));
-    std_msgs::msg::ColorRGBA painted;
-    painted.r(color[0]);
-    painted.g(color[1]);
-    painted.b(color[2]);
-    painted.a(color[3]);
+    const std_msgs::msg::ColorRGBA color = to_color(color_of(weight_left(loop.edge, X_WS)));
     for (const std::size_t end : {loop.edge.from, loop.edge.to}) {
       loops.points().push_back(point(end));
-      loops.colors().push_back(painted);
+      loops.colors().push_back(color);
     }
   }
   array.markers().push_back(std::move(nodes));

@@ -6,20 +6,6 @@
 
 namespace bw::slam {
 
-const char* to_text(HealthState state) {
-  switch (state) {
-    case HealthState::init:
-      return "INIT";
-    case HealthState::ok:
-      return "OK";
-    case HealthState::degraded:
-      return "DEGRADED";
-    case HealthState::lost:
-      return "LOST";
-  }
-  return "";
-}
-
 std::string to_text(const SlamHealth& health) {
   switch (health.cause) {
     case HealthCause::none:

@@ -7,7 +7,6 @@
 
 namespace bw::slam {
 
-const char* to_text(HealthState state);
 /// Of the cause, without the state.
 std::string to_text(const SlamHealth& health);
 

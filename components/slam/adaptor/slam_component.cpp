@@ -269,7 +269,7 @@ void SlamComponent::report(Time now) {
   const Level level = state == HealthState::lost ? Level::error
                       : state == HealthState::ok ? Level::ok
                                                  : Level::warn;
-  diagnostics_->report(level, fmt::format("{}: {}", to_text(state), why));
+  diagnostics_->report(level, fmt::format("{}: {}", to_string(state), why));
 }
 
 BW_COMPONENT(SlamComponent, "slam")
