@@ -20,9 +20,10 @@ inline constexpr double kPi = std::numbers::pi;
 
 // Bytes that one of a list takes at least.
 inline constexpr std::size_t kSurfaceBytes = 20;
-inline constexpr std::size_t kSubmapBytes = 24 + 4 + 24 + 72 + 8 + 4;
-inline constexpr std::size_t kNodeBytes = 8 + 4 + 24 + 8 + 24 + 16 + 4;
-inline constexpr std::size_t kLoopBytes = 8 + 24 + 72 + 32;
+inline constexpr std::size_t kSubmapBytes = 24 + 4 + 24 + 72 + 8 + 1 + 4;
+inline constexpr std::size_t kEdgeBytes = 1 + 8 + 24 + 72;
+inline constexpr std::size_t kNodeBytes = 8 + 4 + 24 + 8 + 1;
+inline constexpr std::size_t kLoopBytes = kEdgeBytes + 32;
 
 /// How many there are, said in HEAD.
 struct Counts {
@@ -81,6 +82,10 @@ void fields(Io& io, Field<Io, Submap> submap, Field<Io, Pose2> X_MS, std::size_t
   fields(io, submap.X_PS, kFarthest);
   io.index("first_node", submap.first_node, counts.nodes + 1);
   io.index("last_node", submap.last_node, counts.nodes + 1);
+  io.optional(submap.marginalised, [&](auto& anchor) {
+    io.index("anchor", anchor.submap, counts.submaps);
+    fields(io, anchor.X_AS, kFarthest);
+  });
   fields(io, submap.surfaces);
 }
 
@@ -133,18 +138,26 @@ void fields(Io& io, Field<Io, Node> node, const Counts& counts) {
   io.index("submap", node.placement.submap, counts.submaps + counts.under_way);
   fields(io, node.placement.X_SB, kReachOfSubmap);
   io.real("share", node.placement.share, 0.0, 1.0);
-  fields(io, node.ranges.X_BL, 1e6);
-  io.real("angle_min", node.ranges.angle_min, -4.0 * kPi, 4.0 * kPi);
-  io.real_either_sign("angle_increment", node.ranges.angle_increment, 1e-4, 0.5);
-  io.list("ranges", node.ranges.millimetres, 2, [&](auto& mm) { io.short_number(mm); });
+  io.optional(node.ranges, [&](auto& ranges) {
+    fields(io, ranges.X_BL, 1e6);
+    io.real("angle_min", ranges.angle_min, -4.0 * kPi, 4.0 * kPi);
+    io.real_either_sign("angle_increment", ranges.angle_increment, 1e-4, 0.5);
+    io.list("ranges", ranges.millimetres, 2, [&](auto& mm) { io.short_number(mm); });
+  });
+}
+
+template <class Io>
+void fields(Io& io, Field<Io, Edge> edge, const Counts& counts) {
+  io.flag("loop", edge.loop);
+  io.index("to", edge.to, counts.submaps);
+  io.index("from", edge.from, edge.to);
+  fields(io, edge.X, kFarthest);
 }
 
 /// A loop, its edge included.
 template <class Io>
 void fields(Io& io, Field<Io, Loop> loop, const Counts& counts) {
-  io.index("to", loop.edge.to, counts.submaps);
-  io.index("from", loop.edge.from, loop.edge.to);
-  fields(io, loop.edge.X, kFarthest);
+  fields(io, loop.edge, counts);
   io.real("score", loop.score, 0.0, 1.0);
   io.real("inliers", loop.inliers, 0.0, 1.0);
   io.real("through", loop.through, 0.0, 1.0);
@@ -158,6 +171,7 @@ void fields(Io& io, Field<Io, LoopCounts> counts) {
   io.integer("accepted", counts.accepted, 0, kMaxInteger);
   io.integer("visited", counts.visited, 0, kMaxInteger);
   io.integer("optimisations", counts.optimisations, 0, kMaxInteger);
+  io.integer("marginalised", counts.marginalised, 0, kMaxInteger);
 }
 
 }  // namespace bw::slam::graph

@@ -5,6 +5,8 @@
 #include <bit>
 #include <cmath>
 #include <cstdio>
+#include <memory>
+#include <numeric>
 
 #include <Eigen/Eigenvalues>
 #include <zlib.h>
@@ -67,9 +69,9 @@ class Writer {
     for (int row = 0; row < 3; ++row)
       for (int column = 0; column < 3; ++column) number(std::bit_cast<std::uint64_t>(C(row, column)));
   }
-  template <class T, class Each>
-  void optional(const std::optional<T>& value, Each each) {
-    flag("", value.has_value());
+  template <class Maybe, class Each>
+  void optional(const Maybe& value, Each each) {
+    flag("", static_cast<bool>(value));
     if (value) each(*value);
   }
   template <class T, class Each>
@@ -187,6 +189,15 @@ class Reader {
     if (is_there) each(value.emplace());
   }
   template <class T, class Each>
+  void optional(std::shared_ptr<const T>& value, Each each) {
+    bool is_there = false;
+    flag("whether it is there", is_there);
+    if (!is_there) return;
+    const auto made = std::make_shared<T>();
+    each(*made);
+    value = made;
+  }
+  template <class T, class Each>
   void list_of(const char* name, std::vector<T>& list, std::size_t count, std::size_t bytes, Each each) {
     if (count > (end_ - at_) / bytes)
       refuse(name, std::to_string(count),
@@ -272,38 +283,48 @@ void check_size(const Reader& reader, const SlamState& slam) {
                   "a map may have " + text(kMostCells) + " cells");
 }
 
-// Edges of the drive are those between a submap and its parent, in the order of the submaps: only loops are
-// stored.
-void edges(Writer& writer, const LoopClosing::State& closing, const Counts& counts) {
-  writer.number(static_cast<std::uint32_t>(closing.edges.size()));
-  std::size_t loop = 0;
-  for (const Edge& edge : closing.edges) {
-    writer.flag("", edge.loop);
-    if (edge.loop) fields(writer, closing.accepted[loop++], counts);
+// Of a map from which submaps have left: whatever is followed from one to another must be there.
+void check_marginalised(const Reader& reader, const SlamState& slam) {
+  const std::vector<Submap>& submaps = slam.closing.submaps;
+  const auto has_left = [&](std::size_t k) { return submaps[k].marginalised.has_value(); };
+  const auto refuse_if = [&](bool wrong, const char* name, std::size_t number, const char* rule) {
+    if (wrong) reader.refuse(name, std::to_string(number), rule);
+  };
+  for (const Submap& submap : submaps)
+    if (const auto& anchor = submap.marginalised)
+      refuse_if(has_left(anchor->submap), "anchor", anchor->submap, "must be a submap that is there");
+  for (std::size_t n = 0; n < slam.nodes.size(); ++n) {
+    const std::size_t k = slam.nodes[n].placement.submap;
+    refuse_if(!slam.nodes[n].ranges && (k >= submaps.size() || !has_left(k)), "node", n,
+              "must have ranges, as its submap is there");
   }
-}
-
-void edges(Reader& reader, LoopClosing::State& closing, const Counts& counts) {
-  std::size_t submap = 1;
-  reader.list("edges", closing.edges, 1, [&](Edge& edge) {
-    reader.flag("loop", edge.loop);
-    if (edge.loop) {
-      Loop& loop = closing.accepted.emplace_back();
-      fields(reader, loop, counts);
-      loop.edge.loop = true;
-      edge = loop.edge;
-      return;
-    }
-    if (submap >= counts.submaps)
-      reader.refuse("edge of the drive", std::to_string(submap),
-                    "there are as many as submaps after the first");
-    const Submap& later = closing.submaps[submap];
-    edge = {later.parent(submap), submap, later.X_PS, false};
-    ++submap;
-  });
-  if (submap < counts.submaps)
-    reader.refuse("edges of the drive", std::to_string(submap - 1),
-                  "there are as many as submaps after the first");
+  // By edges of the drive, to the earliest submap of those that hang together.
+  std::vector<std::size_t> earliest(submaps.size());
+  std::iota(earliest.begin(), earliest.end(), std::size_t{0});
+  const auto find = [&](std::size_t k) {
+    while (earliest[k] != k) k = earliest[k] = earliest[earliest[k]];
+    return k;
+  };
+  const auto check = [&](const Edge& edge) {
+    for (const std::size_t end : {edge.from, edge.to})
+      refuse_if(has_left(end), "end of an edge", end, "must be a submap that is there");
+  };
+  for (const Edge& edge : slam.closing.edges) {
+    check(edge);
+    if (edge.loop) continue;
+    const auto [low, high] = std::minmax({find(edge.from), find(edge.to)});
+    earliest[high] = low;
+  }
+  for (const Loop& loop : slam.closing.pending) {
+    check(loop.edge);
+    refuse_if(!loop.edge.loop, "loop", loop.edge.to, "must be marked as one");
+  }
+  std::optional<std::size_t> first;
+  for (std::size_t k = 0; k < submaps.size(); ++k) {
+    if (has_left(k)) continue;
+    if (!first) first = find(k);
+    refuse_if(find(k) != *first, "submap", k, "edges of the drive must lead to it");
+  }
 }
 
 // The whole file but its first 20 bytes.
@@ -343,13 +364,16 @@ void sections(Io& io, graph::Field<Io, SavedGraph> saved) {
     io.list_of("nodes", slam.nodes, counts.nodes, graph::kNodeBytes,
                [&](auto& node) { fields(io, node, counts); });
   });
-  io.section("EDGE", [&] { edges(io, slam.closing, counts); });
+  io.section("EDGE", [&] {
+    io.list("edges", slam.closing.edges, graph::kEdgeBytes, [&](auto& edge) { fields(io, edge, counts); });
+  });
   io.section("LOOP", [&] {
     io.list("loops that wait", slam.closing.pending, graph::kLoopBytes,
             [&](auto& loop) { fields(io, loop, counts); });
     fields(io, slam.closing.newest_in_first, 1e9);
     io.index("turn", slam.closing.turn, std::size_t{kNone} + 1);
     fields(io, slam.closing.counts);
+    if constexpr (Io::kReads) check_marginalised(io, slam);
   });
 }
 
@@ -374,7 +398,6 @@ GraphReading read_graph(std::string_view bytes) {
     reader.header();
     sections(reader, reading.graph.emplace());
     reader.end();
-    for (Loop& loop : reading.graph->slam.closing.pending) loop.edge.loop = true;
   } catch (const Fault& fault) {
     reading.graph.reset();
     reading.fault = fault.sentence;

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "components/model/rigid_fit.hpp"
 #include "components/slam/once_per_cell.hpp"
 #include "components/slam/pairwise_consistency.hpp"
+#include "components/slam/sparsification.hpp"
 
 namespace bw::slam {
 namespace {
@@ -14,7 +16,8 @@ constexpr std::size_t kOverlapping =
 constexpr std::size_t kBefore = 2;   // [submaps] before the newest: it ended where the newest begins
 constexpr std::size_t kInView = 20;  // [submaps] along the drive; beyond, what is seen is seen again
 constexpr std::size_t kMostCandidates = 6;
-constexpr double kWide = 2.0;  // [m] beyond, a search is dear and finds look-alikes
+constexpr double kWide = 2.0;      // [m] beyond, a search is dear and finds look-alikes
+constexpr double kInReach = 12.0;  // [m] between frames of submaps that may share a place
 constexpr double kAllRound = 0.2;
 constexpr std::size_t kMostFar = 32;
 constexpr std::size_t kImages = 8;          // nodes that look through an earlier submap
@@ -43,35 +46,42 @@ struct LoopClosing::Search {
   View with_before;  // and the one before: what was seen of a place is often shared by two submaps
 };
 
-LoopClosing::LoopClosing(const SlamOptions& options, const std::deque<Node>& nodes, State state)
+LoopClosing::LoopClosing(const SlamOptions& options, std::deque<Node>& nodes, State state)
     : options_(options),
       nodes_(nodes),
       submaps_(std::move(state.submaps)),
       X_MS_(std::move(state.X_MS)),
       edges_(std::move(state.edges)),
       pending_(std::move(state.pending)),
-      accepted_(std::move(state.accepted)),
       newest_in_first_(state.newest_in_first),
       turn_(state.turn),
       counts_(state.counts) {}
 
 LoopClosing::State LoopClosing::state() const {
-  return {submaps_, X_MS_, edges_, pending_, accepted_, newest_in_first_, turn_, counts_};
+  return {submaps_, X_MS_, edges_, pending_, newest_in_first_, turn_, counts_};
 }
 
 UncertainPose LoopClosing::in_first(std::size_t submap) const {
-  return inverse(relative_to(submap, edges_, X_MS_).front());
+  const auto& anchor = submaps_.front().marginalised;
+  if (!anchor) return marginal(submap, 0, edges_, X_MS_);
+  return UncertainPose{inverse(anchor->X_AS), Eigen::Matrix3d::Zero()} *
+         marginal(submap, anchor->submap, edges_, X_MS_);
 }
 
 bool LoopClosing::advance() {
   if (optimisation_) {
     if (optimisation_->step()) return true;
-    X_MS_ = optimisation_->poses();
+    place(optimisation_->poses());
     optimisation_.reset();
     ++counts_.optimisations;
     return true;
   }
   if (!search_) {
+    if (!review_.empty()) {
+      marginalise_if_seen_again(review_.back());
+      review_.pop_back();
+      return true;
+    }
     if (waiting_.empty()) return false;
     take_up();
     return true;
@@ -96,9 +106,51 @@ bool LoopClosing::advance() {
   }
   for (const View* view : {&search_->newest, &search_->with_before})
     if (view->loops) counts_.visited += view->loops->visited();
+  const std::size_t newest = submaps_.size() - 1;
+  around_.clear();
+  for (std::size_t k = 0; k <= newest; ++k) {
+    const UncertainPose& X = search_->others[k];
+    const double distance = X.X.position().norm();
+    if (submaps_[k].marginalised || distance > 2.0 * kInReach) continue;
+    around_.push_back(k);
+    if (distance > kInReach || overlap(k, newest)) continue;
+    if (3.0 * std::sqrt(X.covariance.topLeftCorner<2, 2>().trace()) <= kWide) review_.push_back(k);
+  }
   search_.reset();
   if (accept()) settle();
   return true;
+}
+
+void LoopClosing::place(std::vector<Pose2> X_MS) {
+  if (!submaps_.empty() && submaps_.front().marginalised) {
+    // The first pose is not there any more to hold the map's frame: all that are hold it together.
+    RigidFit fit;
+    for (std::size_t k = 0; k < submaps_.size(); ++k)
+      if (!submaps_[k].marginalised) fit.add(X_MS_[k].position(), X_MS[k].position());
+    const Pose2 X = fit.X_AB();
+    for (Pose2& pose : X_MS) pose = X * pose;
+  }
+  X_MS_ = std::move(X_MS);
+  for (std::size_t k = 0; k < submaps_.size(); ++k)
+    if (const auto& anchor = submaps_[k].marginalised) X_MS_[k] = X_MS_[anchor->submap] * anchor->X_AS;
+}
+
+void LoopClosing::marginalise_if_seen_again(std::size_t submap) {
+  if (!is_seen_again(submap, around_, submaps_, X_MS_, nodes_)) return;
+  auto rest = marginalise(submap, edges_, X_MS_);
+  if (!rest) return;
+  edges_ = std::move(rest->edges);
+  const Pose2 X_AS = inverse(X_MS_[rest->anchor]) * X_MS_[submap];
+  for (Submap& other : submaps_)
+    if (other.marginalised && other.marginalised->submap == submap)
+      other.marginalised = Submap::Anchor{rest->anchor, X_AS * other.marginalised->X_AS};
+  Submap& left = submaps_[submap];
+  left.marginalised = Submap::Anchor{rest->anchor, X_AS};
+  left.surfaces = {};
+  for_own_nodes(submap, left, nodes_, [&](std::size_t n) { nodes_[n].ranges.reset(); });
+  std::erase_if(pending_,
+                [&](const Loop& loop) { return loop.edge.from == submap || loop.edge.to == submap; });
+  ++counts_.marginalised;
 }
 
 void LoopClosing::settle() {
@@ -120,8 +172,12 @@ void LoopClosing::take_up() {
   submap.X_PS.covariance.diagonal() += Eigen::Vector3d{kJointNoise * kJointNoise, kJointNoise * kJointNoise,
                                                        kJointTurnNoise * kJointTurnNoise};
   const std::size_t parent = submap.parent(index);
-  edges_.push_back({parent, index, submap.X_PS, false});
   X_MS_.push_back(X_MS_[parent] * submap.X_PS.X);
+  if (const auto& anchor = submaps_[parent].marginalised)
+    edges_.push_back(
+        {anchor->submap, index, UncertainPose{anchor->X_AS, Eigen::Matrix3d::Zero()} * submap.X_PS, false});
+  else
+    edges_.push_back({parent, index, submap.X_PS, false});
   newest_in_first_ = submap.found_in ? in_first(index) : newest_in_first_ * submap.X_PS;
   if (options_.do_loop_closing) begin_search();
 }
@@ -131,7 +187,7 @@ void LoopClosing::begin_search() {
   search_ = std::make_shared<Search>();
   Search& search = *search_;
   search.others = relative_to(later, edges_, X_MS_);
-  newest_in_first_ = inverse(search.others.front());
+  newest_in_first_ = in_first(later);
   search.candidates = candidates(search.others);
 }
 
@@ -158,7 +214,7 @@ void LoopClosing::look(View& view, std::size_t before) const {
   const std::size_t stride = std::max<std::size_t>(1, (submap.last_node - first.first_node) / kImages);
   for (std::size_t n = first.first_node; n < submap.last_node && n < nodes_.size(); n += stride) {
     const Placement& placement = nodes_[n].placement;
-    view.images.push_back(&nodes_[n].ranges);
+    view.images.push_back(nodes_[n].ranges.get());
     view.X_SB.push_back(X_SK[later - placement.submap] * placement.X_SB);
   }
   view.loops.emplace(view.walls, view.images, view.X_SB, options_);
@@ -174,7 +230,7 @@ std::vector<std::size_t> LoopClosing::candidates(const std::vector<UncertainPose
   std::vector<Candidate> far;
   const double reach = options_.loop_search_maximum_distance;
   for (std::size_t j = 0; j < later; ++j) {
-    if (overlap(j, later)) continue;
+    if (submaps_[j].marginalised || overlap(j, later)) continue;
     const double sigma = std::sqrt(others[j].covariance.topLeftCorner<2, 2>().trace());
     const double distance = (others[j].X * submaps_[j].centre - submaps_[later].centre).norm();
     if (distance - 3.0 * sigma > reach) continue;
@@ -227,7 +283,6 @@ bool LoopClosing::accept() {
     settled_ = false;
     ++counts_.accepted;
     edges_.push_back(pending_[i].edge);
-    accepted_.push_back(pending_[i]);
   }
   if (left.size() > kWaiting) left.erase(left.begin(), left.end() - kWaiting);
   pending_ = std::move(left);

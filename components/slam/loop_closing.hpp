@@ -21,6 +21,7 @@ struct LoopCounts {
   std::int64_t accepted = 0;
   std::int64_t visited = 0;  ///< poses and squares of branch and bound
   std::int64_t optimisations = 0;
+  std::int64_t marginalised = 0;  ///< submaps that left
 };
 
 class LoopClosing {
@@ -29,18 +30,17 @@ class LoopClosing {
   struct State {
     std::vector<Submap> submaps;
     std::vector<Pose2> X_MS;
-    std::vector<Edge> edges;     ///< the drive's in order of their later submaps
-    std::vector<Loop> pending;   ///< wait for support
-    std::vector<Loop> accepted;  ///< in the order of their edges
+    std::vector<Edge> edges;
+    std::vector<Loop> pending;  ///< wait for support
     UncertainPose newest_in_first;
     std::size_t turn = 0;
     LoopCounts counts;
   };
-  /// `nodes`: those that the submaps name; outlives this, and does not move what it holds.
-  LoopClosing(const SlamOptions& options, const std::deque<Node>& nodes) : options_(options), nodes_(nodes) {}
+  /// `nodes`: those that the submaps name; outlives this. Ranges of those whose submap leaves are let go.
+  LoopClosing(const SlamOptions& options, std::deque<Node>& nodes) : options_(options), nodes_(nodes) {}
 
   /// Takes up what was left.
-  LoopClosing(const SlamOptions& options, const std::deque<Node>& nodes, State state);
+  LoopClosing(const SlamOptions& options, std::deque<Node>& nodes, State state);
   /// With no work left.
   State state() const;
 
@@ -55,14 +55,14 @@ class LoopClosing {
   const std::vector<Submap>& submaps() const { return submaps_; }
   const std::vector<Pose2>& X_MS() const { return X_MS_; }
   const std::deque<Submap>& waiting() const { return waiting_; }
-  const std::vector<Loop>& loops() const { return accepted_; }
+  const std::vector<Edge>& edges() const { return edges_; }
   const LoopCounts& counts() const { return counts_; }
-  /// Pose of the newest of them in the first, with the covariance of the surest way there.
+  /// Pose of the newest of them in the first, with the covariance of all edges together.
   const UncertainPose& newest_in_first() const { return newest_in_first_; }
-  /// The same of any of them.
+  /// The same of any of them that is there.
   UncertainPose in_first(std::size_t submap) const;
-  /// Counts up whenever submaps moved.
-  std::int64_t revision() const { return counts_.optimisations; }
+  /// Counts up whenever submaps moved or left.
+  std::int64_t revision() const { return counts_.optimisations + counts_.marginalised; }
 
  private:
   struct View;
@@ -73,20 +73,23 @@ class LoopClosing {
   void look(View& view, std::size_t before) const;
   /// Submaps that the newest may have seen again; others: their poses in it.
   std::vector<std::size_t> candidates(const std::vector<UncertainPose>& others);
-  bool accept();  ///< true: a loop that poses must move for
+  bool accept();                        ///< true: a loop that poses must move for
+  void place(std::vector<Pose2> X_MS);  ///< after an optimisation
+  void marginalise_if_seen_again(std::size_t submap);
   /// So near along the drive that their scans were matched with each other.
   bool overlap(std::size_t earlier, std::size_t later) const;
 
   SlamOptions options_;
-  const std::deque<Node>& nodes_;
+  std::deque<Node>& nodes_;
   std::deque<Submap> waiting_;
   std::vector<Submap> submaps_;
   std::vector<Pose2> X_MS_;
   std::vector<Edge> edges_;
   std::vector<Loop> pending_;
-  std::vector<Loop> accepted_;
   std::shared_ptr<Search> search_;  ///< of the newest submap
   std::optional<Optimisation> optimisation_;
+  std::vector<std::size_t> review_;  ///< submaps that the newest may have seen again: may they leave?
+  std::vector<std::size_t> around_;  ///< all that may have seen the same as these
   UncertainPose newest_in_first_;
   std::size_t turn_ = 0;  ///< of the candidates that are far
   LoopCounts counts_;

@@ -67,22 +67,17 @@ double seen_through(std::span<const Surface> surfaces, std::span<const RangeImag
   for (std::size_t k = 0; k < images.size(); ++k) {
     const RangeImage& image = *images[k];
     const Pose2 X_LS = inverse(X_SB[k] * image.X_BL);
-    const auto beams = static_cast<int>(image.millimetres.size());
     for (std::size_t n = 0; n < surfaces.size(); n += 3) {
       const Vector2 p = X_LS * Vector2{surfaces[n].x, surfaces[n].y};
       const double range = p.norm();
       if (range < 0.3 || range > 12.0) continue;
-      // From the first beam on, as the sweep turns: a scanner may see more than half a circle.
-      double turned = wrap_angle(std::atan2(p.y(), p.x()) - image.angle_min);
-      if (turned * image.angle_increment < 0.0)
-        turned += std::copysign(2.0 * std::numbers::pi, image.angle_increment);
-      const int i = static_cast<int>(std::lround(turned / image.angle_increment));
-      if (i < 1 || i + 1 >= beams) continue;
+      const std::optional<std::size_t> beam = beam_towards(image, p);
+      if (!beam || *beam < 1 || *beam + 1 >= image.millimetres.size()) continue;
       // All three neighbouring beams must agree: at the edge of an obstacle the next one goes past.
       int beyond = 0;
       int before = 0;
-      for (int b = i - 1; b <= i + 1; ++b) {
-        const std::uint16_t mm = image.millimetres[static_cast<std::size_t>(b)];
+      for (std::size_t b = *beam - 1; b <= *beam + 1; ++b) {
+        const std::uint16_t mm = image.millimetres[b];
         if (mm == RangeImage::kUnknown || mm == RangeImage::kNoReturn) continue;
         const double measured = 0.001 * mm;
         if (measured > range + kMargin + 0.02 * range) ++beyond;

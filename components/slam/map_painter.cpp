@@ -17,10 +17,11 @@ bool MapPainter::moved(const Pose2& from, const Pose2& to) const {
 
 bool MapPainter::update(const Slam& slam, int most) {
   const std::deque<Node>& nodes = slam.nodes();
-  for (; most > 0 && X_MB_.size() < nodes.size(); --most) {
-    const Node& node = nodes[X_MB_.size()];
-    X_MB_.push_back(X_MW_ * slam.pose(node.placement));
-    rendering_.draw(node.ranges, X_MB_.back());
+  for (; most > 0 && drawn_nodes_.size() < nodes.size(); --most) {
+    const Node& node = nodes[drawn_nodes_.size()];
+    drawn_nodes_.push_back({X_MW_ * slam.pose(node.placement), node.ranges});
+    if (!node.ranges) continue;
+    rendering_.draw(*node.ranges, drawn_nodes_.back().X_MB);
     ++drawn_;
   }
   if (slam.revision() != revision_) {
@@ -28,18 +29,19 @@ bool MapPainter::update(const Slam& slam, int most) {
     next_again_ = 0;
   }
   std::size_t looks = kLooksAtOnce * static_cast<std::size_t>(most);
-  for (; most > 0 && looks > 0 && next_again_ < X_MB_.size(); ++next_again_, --looks) {
+  for (; most > 0 && looks > 0 && next_again_ < drawn_nodes_.size(); ++next_again_, --looks) {
+    Drawn& drawn = drawn_nodes_[next_again_];
+    if (!drawn.ranges) continue;
     const Node& node = nodes[next_again_];
     const Pose2 X_MB = X_MW_ * slam.pose(node.placement);
-    Pose2& drawn = X_MB_[next_again_];
-    if (!moved(drawn, X_MB)) continue;
-    rendering_.erase(node.ranges, drawn);
-    rendering_.draw(node.ranges, X_MB);
-    drawn = X_MB;
+    if (node.ranges && !moved(drawn.X_MB, X_MB)) continue;
+    rendering_.erase(*drawn.ranges, drawn.X_MB);
+    if (node.ranges) rendering_.draw(*node.ranges, X_MB);
+    drawn = {X_MB, node.ranges};
     ++drawn_;
     --most;
   }
-  return X_MB_.size() < nodes.size() || next_again_ < X_MB_.size();
+  return drawn_nodes_.size() < nodes.size() || next_again_ < drawn_nodes_.size();
 }
 
 }  // namespace bw::slam

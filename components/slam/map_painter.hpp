@@ -1,8 +1,9 @@
-// The map of a SLAM under way, drawn a few scans at a time: new ones, and again those whose pose moved.
+// The map of a SLAM under way, drawn a few scans at a time: new ones, and again those whose pose moved; without those that left it.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "components/slam/map_rendering.hpp"
@@ -37,9 +38,13 @@ class MapPainter {
   double resolution_;
   Pose2 X_MW_;
   MapRendering rendering_;
-  std::vector<Pose2> X_MB_;     ///< of each node, as it was drawn
-  std::int64_t revision_ = 0;   ///< of the poses that are looked at
-  std::size_t next_again_ = 0;  ///< node that is looked at next for a pose that moved
+  struct Drawn {
+    Pose2 X_MB;
+    std::shared_ptr<const RangeImage> ranges;
+  };
+  std::vector<Drawn> drawn_nodes_;  ///< each node, as it was drawn
+  std::int64_t revision_ = 0;       ///< of the poses that are looked at
+  std::size_t next_again_ = 0;      ///< node that is looked at next for a pose that moved
   std::int64_t drawn_ = 0;
 };
 

@@ -7,6 +7,7 @@
 #include <queue>
 
 #include <Eigen/Cholesky>
+#include <Eigen/SparseCholesky>
 #include <ceres/ceres.h>
 
 namespace bw::slam {
@@ -125,7 +126,10 @@ Optimisation::Optimisation(const std::vector<Edge>& edges, const std::vector<Pos
   p.finished = poses.size() < 2 || edges.empty();
   p.values.reserve(poses.size());
   for (const Pose2& pose : poses) p.values.push_back({pose.x, pose.y, pose.theta});
-  for (auto& value : p.values) p.problem.AddParameterBlock(value.data(), 3);
+  std::vector<bool> has_edge(poses.size(), false);
+  for (const Edge& edge : edges) has_edge[edge.from] = has_edge[edge.to] = true;
+  for (std::size_t k = 0; k < poses.size(); ++k)
+    if (has_edge[k]) p.problem.AddParameterBlock(p.values[k].data(), 3);
   double worst = kScaling;
   for (const Edge& edge : edges) {
     if (edge.loop) worst = std::max(worst, disagreement(edge, poses));
@@ -133,7 +137,9 @@ Optimisation::Optimisation(const std::vector<Edge>& edges, const std::vector<Pos
                                edge.loop ? &p.loss : nullptr, p.values[edge.from].data(),
                                p.values[edge.to].data());
   }
-  if (!p.values.empty()) p.problem.SetParameterBlockConstant(p.values.front().data());
+  const auto first = std::find(has_edge.begin(), has_edge.end(), true);
+  if (first != has_edge.end())
+    p.problem.SetParameterBlockConstant(p.values[static_cast<std::size_t>(first - has_edge.begin())].data());
   p.loss.set_scaling(worst);
 }
 
@@ -181,10 +187,6 @@ std::vector<UncertainPose> relative_to(std::size_t from, const std::vector<Edge>
     neighbours[edge.from].push_back({edge.to, {X, edge.X.covariance}});
     neighbours[edge.to].push_back({edge.from, inverse(UncertainPose{X, edge.X.covariance})});
   }
-  constexpr double kMetresPerRadian = 5.0;
-  const auto cost = [](const Eigen::Matrix3d& C) {
-    return C(0, 0) + C(1, 1) + kMetresPerRadian * kMetresPerRadian * C(2, 2);
-  };
   std::vector<UncertainPose> result(poses.size());
   std::vector<double> best(poses.size(), std::numeric_limits<double>::infinity());
   using Open = std::pair<double, std::size_t>;
@@ -197,7 +199,7 @@ std::vector<UncertainPose> relative_to(std::size_t from, const std::vector<Edge>
     if (so_far > best[at]) continue;
     for (const Neighbour& neighbour : neighbours[at]) {
       const UncertainPose X = result[at] * neighbour.X;
-      const double total = cost(X.covariance);
+      const double total = spread(X.covariance);
       if (total >= best[neighbour.submap]) continue;
       best[neighbour.submap] = total;
       result[neighbour.submap] = X;
@@ -205,6 +207,50 @@ std::vector<UncertainPose> relative_to(std::size_t from, const std::vector<Edge>
     }
   }
   return result;
+}
+
+UncertainPose marginal(std::size_t of, std::size_t in, const std::vector<Edge>& edges,
+                       const std::vector<Pose2>& poses) {
+  const UncertainPose exact{inverse(poses[in]) * poses[of], Eigen::Matrix3d::Zero()};
+  if (of == in) return exact;
+  // Unknowns of the submaps that have an edge, but for `in`, which stays.
+  std::vector<int> first(poses.size(), -1);
+  int unknowns = 0;
+  for (const Edge& edge : edges)
+    for (const std::size_t end : {edge.from, edge.to})
+      if (end != in && first[end] < 0) first[end] = 3 * unknowns++;
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(36 * edges.size());
+  for (const Edge& edge : edges) {
+    const double weight = edge.loop ? weight_left(edge, poses) : 1.0;
+    const EdgeResidual residual(edge.X, whitening(edge.X.covariance));
+    const std::array ends{edge.from, edge.to};
+    std::array<std::array<double, 3>, 2> values{};
+    std::array<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>, 2> J;
+    for (std::size_t i = 0; i < 2; ++i)
+      values[i] = {poses[ends[i]].x, poses[ends[i]].y, poses[ends[i]].theta};
+    const std::array<const double*, 2> at{values[0].data(), values[1].data()};
+    std::array<double*, 2> jacobians{J[0].data(), J[1].data()};
+    Eigen::Vector3d e;
+    residual.Evaluate(at.data(), e.data(), jacobians.data());
+    for (std::size_t i = 0; i < 2; ++i)
+      for (std::size_t j = 0; j < 2; ++j) {
+        if (first[ends[i]] < 0 || first[ends[j]] < 0) continue;
+        const Eigen::Matrix3d block = weight * J[i].transpose() * J[j];
+        for (int row = 0; row < 3; ++row)
+          for (int column = 0; column < 3; ++column)
+            entries.emplace_back(first[ends[i]] + row, first[ends[j]] + column, block(row, column));
+      }
+  }
+  Eigen::SparseMatrix<double> information(3 * unknowns, 3 * unknowns);
+  information.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(information);
+  Eigen::MatrixXd wanted = Eigen::MatrixXd::Zero(3 * unknowns, 3);
+  wanted.block<3, 3>(first[of], 0).setIdentity();
+  const Eigen::Matrix3d C = factor.solve(wanted).block<3, 3>(first[of], 0);
+  // From the map's axes into those of `in`.
+  const Eigen::Matrix3d R = by_second(inverse(poses[in]));
+  return {exact.X, R * C * R.transpose()};
 }
 
 }  // namespace bw::slam

@@ -25,11 +25,12 @@ double disagreement(const Edge& edge, const std::vector<Pose2>& poses);
 /// Share of its weight that is left to a loop, 1 to 0, by how far it is off (theory.md 10.10).
 double weight_left(const Edge& loop, const std::vector<Pose2>& poses);
 
-/// Finds the poses that fit best, all but the first, in short steps: a graph of 700 submaps takes some
+/// Finds the poses that fit best, in short steps: a graph of 700 submaps takes some
 /// milliseconds each. Graduated: what is far off at first is let pull before it is judged (graduated
 /// non-convexity, Yang 2020; theory.md 10.10).
 class Optimisation {
  public:
+  /// The first pose that has an edge stays where it is, and those that have none.
   Optimisation(const std::vector<Edge>& edges, const std::vector<Pose2>& poses);
   ~Optimisation();
   Optimisation(Optimisation&&) noexcept;
@@ -45,9 +46,14 @@ class Optimisation {
 };
 
 /// Along the surest way through the edges, the pose of each submap in the frame of `from`, with the
-/// covariance summed on the way (Dijkstra by its trace); loops with less than a tenth of their weight left
-/// are not used (theory.md 10.6). All must be connected by the rest.
+/// covariance summed on the way (Dijkstra by its spread); loops with less than a tenth of their weight left
+/// are not used (theory.md 10.6). The rest must connect all that have an edge; of others nothing is said.
 std::vector<UncertainPose> relative_to(std::size_t from, const std::vector<Edge>& edges,
                                        const std::vector<Pose2>& poses);
+
+/// Pose of submap `of` in the frame of `in`, with the covariance of all edges together: that of the linearised
+/// graph, loops by the weight that is left to them. Both must have an edge, and be connected.
+UncertainPose marginal(std::size_t of, std::size_t in, const std::vector<Edge>& edges,
+                       const std::vector<Pose2>& poses);
 
 }  // namespace bw::slam

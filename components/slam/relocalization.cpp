@@ -50,6 +50,7 @@ std::optional<Place> place_near(const Slam& map, std::span<const SurfacePoint> p
   };
   std::vector<Near> around;
   for (std::size_t k = 0; k < map.submaps(); ++k) {
+    if (map.map()[k].marginalised) continue;
     const double distance = (map.X_MS()[k].position() - X_MB.position()).norm();
     if (distance <= kAround) around.push_back({distance, k});
   }
@@ -99,7 +100,7 @@ void PlaceSearch::begin_search() {
   images_.clear();
   X_SB_.clear();
   for (std::size_t n = asked_ - std::min(asked_, kLooks); n < asked_; ++n) {
-    images_.push_back(&local_.nodes()[n].ranges);
+    images_.push_back(local_.nodes()[n].ranges.get());
     X_SB_.push_back(inverse(X_WS_) * local_.pose(local_.nodes()[n].placement));
   }
   candidates_.clear();

@@ -115,4 +115,12 @@ Scan scan_of(const LaserSweep& sweep, const SlamOptions& options) {
   return scan;
 }
 
+std::optional<std::size_t> beam_towards(const RangeImage& image, const Vector2& p) {
+  double turned = wrap_angle(std::atan2(p.y(), p.x()) - image.angle_min);
+  if (turned * image.angle_increment < 0.0)
+    turned += std::copysign(2.0 * std::numbers::pi, image.angle_increment);
+  const auto beam = static_cast<std::size_t>(std::lround(turned / image.angle_increment));
+  return beam < image.millimetres.size() ? std::optional(beam) : std::nullopt;
+}
+
 }  // namespace bw::slam

@@ -1,7 +1,9 @@
 // A sweep as SLAM uses it: surface points with normals to match by, and ranges to draw the map of.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "components/model/laser_sweep.hpp"
@@ -35,6 +37,10 @@ struct RangeImage {
   static constexpr std::uint16_t kUnknown = 0;
   static constexpr std::uint16_t kNoReturn = 0xffff;
 };
+
+/// Index of the beam towards `p`, in the scanner's frame; nothing out of its view. From the first beam on, as the sweep
+/// turns: a scanner may see more than half a circle.
+std::optional<std::size_t> beam_towards(const RangeImage& image, const Vector2& p);
 
 struct Scan {
   Time time;

@@ -25,7 +25,8 @@ Tracked Slam::add(const Scan& scan, const Pose2& X_OB) {
   ++counts_.scans;
   Tracked tracked = tracking_.add(scan, X_OB, nodes_->size());
   if (!tracked.matched && counts_.scans > 1) ++counts_.unmatched;
-  if (tracked.enters_map) nodes_->push_back({scan.time, tracked.placement, scan.ranges});
+  if (tracked.enters_map)
+    nodes_->push_back({scan.time, tracked.placement, std::make_shared<const RangeImage>(scan.ranges)});
   if (tracked.finished) closing_.add(*tracked.finished);
   return tracked;
 }

@@ -55,8 +55,8 @@ class Slam {
   Eigen::Matrix3d covariance(const Tracked& tracked) const;
   /// Scans of the map in the order in which they came; those that are there do not move in memory.
   const std::deque<Node>& nodes() const { return *nodes_; }
-  const std::vector<Loop>& loops() const { return closing_.loops(); }
-  /// Counts up whenever poses of earlier scans moved.
+  const std::vector<Edge>& edges() const { return closing_.edges(); }
+  /// Counts up whenever poses of earlier scans moved, or submaps left.
   std::int64_t revision() const { return closing_.revision(); }
   const SlamCounts& counts() const { return counts_; }
   const LoopCounts& loop_counts() const { return closing_.counts(); }

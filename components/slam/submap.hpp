@@ -1,6 +1,7 @@
 // A stretch of the drive whose scans were matched among themselves: one rigid piece of the map.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -24,6 +25,13 @@ struct Submap {
   /// P: nothing for the submap before; where a map is continued, that in which the robot found itself.
   std::optional<std::size_t> found_in;
 
+  /// Left out of map and graph, without surfaces (sparsification.hpp): where it lies in one that is still there.
+  struct Anchor {
+    std::size_t submap = 0;
+    Pose2 X_AS;
+  };
+  std::optional<Anchor> marginalised;
+
   /// Index of P, of submap `index` > 0.
   std::size_t parent(std::size_t index) const { return found_in.value_or(index - 1); }
 };
@@ -39,7 +47,7 @@ struct Placement {
 struct Node {
   Time time;
   Placement placement;
-  RangeImage ranges;
+  std::shared_ptr<const RangeImage> ranges;  ///< null where its submap was marginalised
 };
 
 }  // namespace bw::slam

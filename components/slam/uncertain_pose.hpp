@@ -48,6 +48,12 @@ inline UncertainPose inverse(const UncertainPose& X_AB) {
   return {X_BA, J * X_AB.covariance * J.transpose()};
 }
 
+/// How unsure, as one number [m^2]: of the position, and of what lies 5 m away.
+inline double spread(const Eigen::Matrix3d& covariance) {
+  constexpr double kArm = 5.0;
+  return covariance(0, 0) + covariance(1, 1) + kArm * kArm * covariance(2, 2);
+}
+
 /// (x, y, theta) of the difference between two poses in one frame, the angle wrapped.
 inline Eigen::Vector3d difference(const Pose2& a, const Pose2& b) {
   return {a.x - b.x, a.y - b.y, wrap_angle(a.theta - b.theta)};

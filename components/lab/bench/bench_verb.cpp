@@ -9,6 +9,7 @@
 #include "components/lab/bench/bench_people.hpp"
 #include "components/lab/bench/scaling.hpp"
 #include "components/lab/bench/slam/bench_relations.hpp"
+#include "components/lab/bench/slam/bench_rounds.hpp"
 #include "components/lab/bench/slam/bench_slam.hpp"
 #include "components/lab/report/report_page.hpp"
 #include "runtime/cli/verb.hpp"
@@ -260,10 +261,14 @@ void add_slam(cli::Verb bench) {
           },
           "kobuki (default), qbot2e or eddie: wheels that err as the emulated ones do")
       .one_of({"kobuki", "qbot2e", "eddie"});
+  verb.option(
+          "--rounds", slam->rounds,
+          "Drives the route of an office so often, with its furniture elsewhere each time: is the map bounded?")
+      .within(1, 1000);
   verb.flag("--calibrated", slam->calibrated, "Wheels as `bandwagon calibrate` may leave them");
   verb.option("--set", slam->set, "slam.parameter=value, as often as needed").one_each_time();
   verb.option("--json", slam->json, "Writes the figures here");
-  verb.run([slam] { return bench_slam(*slam); });
+  verb.run([slam] { return slam->rounds > 0 ? bench_rounds(*slam) : bench_slam(*slam); });
 }
 
 void add_bench(cli::Verb bench) {

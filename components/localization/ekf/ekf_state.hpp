@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "components/localization/ekf/rigid_fit.hpp"
+#include "components/model/rigid_fit.hpp"
 #include "components/localization/measurements.hpp"
 
 namespace bw::localization {

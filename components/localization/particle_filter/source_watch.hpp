@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-#include "components/localization/ekf/rigid_fit.hpp"
+#include "components/model/rigid_fit.hpp"
 #include "components/localization/health.hpp"
 #include "components/localization/measurements.hpp"
 #include "components/localization/particle_filter/comparison.hpp"

@@ -61,9 +61,10 @@ DriveTopics topics_of(const bag::Bag& recording, const std::string& path, const 
 LoopResiduals residuals_of(const slam::Slam& made) {
   LoopResiduals r;
   const std::vector<Pose2>& X_MS = made.X_MS();
-  const auto count = static_cast<double>(made.loops().size());
-  for (const slam::Loop& loop : made.loops()) {
-    const Pose2 difference = inverse(loop.edge.X.X) * (inverse(X_MS[loop.edge.from]) * X_MS[loop.edge.to]);
+  const auto count = static_cast<double>(std::ranges::count_if(made.edges(), &slam::Edge::loop));
+  for (const slam::Edge& edge : made.edges()) {
+    if (!edge.loop) continue;
+    const Pose2 difference = inverse(edge.X.X) * (inverse(X_MS[edge.from]) * X_MS[edge.to]);
     const double distance = difference.position().norm();
     const double turn = std::abs(difference.theta);
     r.mean += distance / count;
@@ -137,8 +138,8 @@ std::string map_report(const MadeMap& map) {
       fmt::format("scans     {} of {} used, {} of them by odometry alone; {:.0f} m in {:.0f} s\n",
                   map.scans_used, map.scans, map.unmatched, map.travel, map.seconds);
   for (const std::string& sentence : map.left_out) text += "          " + sentence + "\n";
-  text += fmt::format("loops     {} closed of {} found, {} submaps", map.loops.accepted, map.loops.found,
-                      map.submaps);
+  text += fmt::format("loops     {} closed of {} found, {} submaps, {} of them left since all was seen again",
+                      map.loops.accepted, map.loops.found, map.submaps, map.loops.marginalised);
   if (map.loops.accepted > 0) {
     const LoopResiduals& r = map.residuals;
     text +=

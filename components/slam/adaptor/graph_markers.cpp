@@ -51,17 +51,13 @@ MarkerArray to_markers(const Slam& slam, const Pose2& X_MW, const std::string& f
   Marker drive = marker("slam_toolbox_edges", constants::LINE_LIST, 0.04, kDrive);
   Marker loops = marker("slam_toolbox_loops", constants::LINE_LIST, 0.06, kGood);
   const auto point = [&](std::size_t submap) { return to_point((X_MW * X_WS[submap]).position()); };
-  for (std::size_t k = 0; k < X_WS.size(); ++k) {
-    nodes.points().push_back(point(k));
-    if (k == 0) continue;
-    drive.points().push_back(point(slam.map()[k].parent(k)));
-    drive.points().push_back(point(k));
-  }
-  for (const Loop& loop : slam.loops()) {
-    const std_msgs::msg::ColorRGBA color = to_color(color_of(weight_left(loop.edge, X_WS)));
-    for (const std::size_t end : {loop.edge.from, loop.edge.to}) {
-      loops.points().push_back(point(end));
-      loops.colors().push_back(color);
+  for (std::size_t k = 0; k < X_WS.size(); ++k)
+    if (!slam.map()[k].marginalised) nodes.points().push_back(point(k));
+  for (const Edge& edge : slam.edges()) {
+    Marker& lines = edge.loop ? loops : drive;
+    for (const std::size_t end : {edge.from, edge.to}) {
+      lines.points().push_back(point(end));
+      if (edge.loop) lines.colors().push_back(to_color(color_of(weight_left(edge, X_WS))));
     }
   }
   array.markers().push_back(std::move(nodes));

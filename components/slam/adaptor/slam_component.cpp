@@ -231,7 +231,7 @@ void SlamComponent::gather_map() {
 
 void SlamComponent::publish_graph() {
   const std::array<std::int64_t, 3> now{static_cast<std::int64_t>(slam_->submaps()),
-                                        static_cast<std::int64_t>(slam_->loops().size()), slam_->revision()};
+                                        slam_->loop_counts().accepted, slam_->revision()};
   if (std::exchange(told_graph_, now) != now)
     graph_.publish(to_markers(*slam_, X_MW_, map_frame_, map_time_));
 }

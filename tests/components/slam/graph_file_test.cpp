@@ -92,7 +92,7 @@ TEST(GraphFile, ASecondDriveGoesIntoTheSameMap) {
   const std::vector<Pose2> told = test::map_along(slam, two, start, two.scans.size());
   EXPECT_GT(slam.submaps(), submaps + 5);
   EXPECT_GT(std::ranges::count_if(
-                slam.loops(), [&](const Loop& l) { return l.edge.from < submaps && l.edge.to >= submaps; }),
+                slam.edges(), [&](const Edge& e) { return e.loop && e.from < submaps && e.to >= submaps; }),
             2);
   double worst = 0.0;
   for (std::size_t k = 0; k < told.size(); ++k)
@@ -115,9 +115,9 @@ TEST(GraphFile, SaysWhichByteAndWhichRule) {
   using namespace std::string_literals;
   EXPECT_THAT(read_graph("").fault, HasSubstr("must be those of a pose graph"));
   EXPECT_THAT(read_graph("P5\n2 1\n255\n\xfe").fault, HasSubstr("must be those of a pose graph"));
-  EXPECT_THAT(fault_with(8, "\x02\0\0\0"s),
-              AllOf(HasSubstr("byte 8"), HasSubstr("version: 2"), HasSubstr("reads version 1")));
-  EXPECT_THAT(fault_with(8, "\0\0\0\0"s), AllOf(HasSubstr("version: 0"), HasSubstr("reads version 1")));
+  EXPECT_THAT(fault_with(8, "\x03\0\0\0"s),
+              AllOf(HasSubstr("byte 8"), HasSubstr("version: 3"), HasSubstr("reads version 2")));
+  EXPECT_THAT(fault_with(8, "\0\0\0\0"s), AllOf(HasSubstr("version: 0"), HasSubstr("reads version 2")));
   EXPECT_THAT(fault_with(32, "\0\0\0\0\0\0\xf8\x7f"s),
               AllOf(HasSubstr("byte 32 (HEAD): resolution: "), HasSubstr("nan")));
   EXPECT_THAT(fault_with(32, "\0\0\0\0\0\0\xf0\x3f"s),

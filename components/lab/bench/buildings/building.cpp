@@ -13,7 +13,7 @@ constexpr std::uint64_t kLayoutStream = 0x94d049bb133111eb;
 FloorPlan plan_of(BuildingKind kind, Random& random) {
   switch (kind) {
     case BuildingKind::office:
-      return plan_office(random);
+      return plan_office(random, 0);
     case BuildingKind::corridors:
       return plan_corridors(random);
     case BuildingKind::loop:
@@ -48,6 +48,13 @@ Building make_building(BuildingKind kind, std::uint64_t seed) {
   Random random(seed ^ kLayoutStream);
   Building building = build(plan_of(kind, random), random);
   building.name = std::string(to_text(kind)) + " " + std::to_string(seed);
+  return building;
+}
+
+Building make_office(std::uint64_t seed, std::uint64_t arrangement) {
+  Random random(seed ^ kLayoutStream);
+  Building building = build(plan_office(random, arrangement), random);
+  building.name = std::string(to_text(BuildingKind::office)) + " " + std::to_string(seed);
   return building;
 }
 

@@ -36,5 +36,7 @@ inline constexpr double kRouteClearance = 0.4;  ///< [m]
 
 /// Sizes, furniture and route vary with the seed; the same seed gives the same bytes.
 Building make_building(BuildingKind kind, std::uint64_t seed);
+/// That office after its furniture was moved; 0: as it is.
+Building make_office(std::uint64_t seed, std::uint64_t arrangement);
 
 }  // namespace bw::buildings

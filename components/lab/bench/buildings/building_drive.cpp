@@ -34,8 +34,9 @@ void check(const ScannerOptions& o) {
     throw std::invalid_argument("the beams of a scan must be taken within its period");
 }
 
-/// Drives the route: odometry and truth.
-void drive_wheels(const Building& building, const BuildingDriveOptions& options, RecordedDrive& drive) {
+/// Drives the route so often: odometry and truth, and when each round begins.
+std::vector<Time> drive_wheels(const Building& building, std::size_t rounds,
+                               const BuildingDriveOptions& options, RecordedDrive& drive) {
   const Robot robot = robot_of(options.base);
   const WheelRadii radii = robot.wheel_radii();
   const StaticScene open_floor({}, std::nullopt);  // the route keeps clear of the walls
@@ -44,6 +45,7 @@ void drive_wheels(const Building& building, const BuildingDriveOptions& options,
                   random_stream(options.seed, RandomPurpose::wheels));
   EncoderOdometry odometry(robot, OdometryOptions{});
   drive.wheel_separation = robot.wheel_separation;
+  std::vector<Time> begin{Time{}};
 
   for (std::int64_t i = 0;; ++i) {
     const Time now = time_of_step(i);
@@ -52,9 +54,14 @@ void drive_wheels(const Building& building, const BuildingDriveOptions& options,
     drive.odometry.push_back({now, odometry.state().X_OB,
                               to_twist({travel.left / kStep, travel.right / kStep}, robot.wheel_separation)});
     drive.truth.push_back(reference(now, base.pose()));
-    if (options.longest && now - Time{} >= *options.longest) return;
-    const auto twist = follower.next(base.pose());
-    if (!twist) return;
+    if (options.longest && now - Time{} >= *options.longest) return begin;
+    auto twist = follower.next(base.pose());
+    if (!twist && begin.size() < rounds) {
+      begin.push_back(now);
+      follower = RouteFollower(building.route, options.follower);
+      twist = follower.next(base.pose());
+    }
+    if (!twist) return begin;
     if (i > kDay) throw std::runtime_error(building.name + ": the route does not end");
     const WheelSpeeds wheels = to_wheel_speeds(*twist, robot.wheel_separation);
     base.command({wheels.left / radii.left, wheels.right / radii.right});
@@ -65,13 +72,14 @@ void drive_wheels(const Building& building, const BuildingDriveOptions& options,
 /// Scans along a drive whose truth is known, in the order of time.
 class ScanTaker {
  public:
-  ScanTaker(const Building& building, const BuildingDriveOptions& options,
-            const std::vector<ReferencePose>& truth)
+  ScanTaker(const Building& building, const BuildingDriveOptions& options, std::uint64_t seed,
+            const std::vector<ReferencePose>& truth, Time start)
       : options_(options.scanner),
         truth_(truth),
         walls_(building.walls),
-        people_(building, walls_, options.walkers, random_stream(options.seed, RandomPurpose::walkers)),
-        random_(random_stream(options.seed, RandomPurpose::laser)) {}
+        people_(building, walls_, options.walkers, random_stream(seed, RandomPurpose::walkers)),
+        random_(random_stream(seed, RandomPurpose::laser)),
+        moved_to_(static_cast<std::size_t>((start - Time{}).nanoseconds / kOdometryPeriod.nanoseconds)) {}
 
   ScanSample take(Time stamp) {
     const ScannerOptions& o = options_;
@@ -131,8 +139,8 @@ class ScanTaker {
   BuildingPeople people_;
   Random random_;
   Pose2 X_map_laser_;
-  std::vector<Disc> legs_;    ///< within reach
-  std::size_t moved_to_ = 0;  ///< steps that people have made
+  std::vector<Disc> legs_;  ///< within reach
+  std::size_t moved_to_;    ///< step up to which people have moved
 };
 
 }  // namespace
@@ -146,16 +154,25 @@ ScannerOptions front_scanner() {
 }
 
 RecordedDrive drive_through(const Building& building, const BuildingDriveOptions& options) {
+  return drive_rounds(std::span(&building, 1), options).drive;
+}
+
+Rounds drive_rounds(std::span<const Building> rounds, const BuildingDriveOptions& options) {
   check(options.scanner);
-  RecordedDrive drive;
+  Rounds result;
+  RecordedDrive& drive = result.drive;
   drive.mounts.push_back({.parent = "base_link", .child = kLaserFrame});
-  drive_wheels(building, options, drive);
-  ScanTaker scanner(building, options, drive.truth);
-  const Time end = drive.truth.back().time;
+  result.begin = drive_wheels(rounds.front(), rounds.size(), options, drive);
   const Duration sweep = Duration::seconds(options.scanner.time_increment * (options.scanner.beams - 1));
-  for (Time stamp; stamp + sweep <= end; stamp = stamp + options.scanner.period)
-    drive.scans.push_back(scanner.take(stamp));
-  return drive;
+  Time stamp;
+  for (std::size_t k = 0; k < result.begin.size(); ++k) {
+    const bool is_last = k + 1 == result.begin.size();
+    const Time end = is_last ? drive.truth.back().time : result.begin[k + 1];
+    ScanTaker scanner(rounds[k], options, options.seed + k, drive.truth, result.begin[k]);
+    for (; is_last ? stamp + sweep <= end : stamp < end; stamp = stamp + options.scanner.period)
+      drive.scans.push_back(scanner.take(stamp));
+  }
+  return result;
 }
 
 }  // namespace bw::buildings

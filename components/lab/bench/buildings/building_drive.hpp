@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <numbers>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "components/lab/bench/buildings/bases.hpp"
 #include "components/lab/bench/buildings/building.hpp"
@@ -47,5 +49,13 @@ inline constexpr Duration kOdometryPeriod = Duration::milliseconds(20);
 /// Throws std::invalid_argument when the scanner cannot be: see above, or when its beams take longer than its
 /// period; std::runtime_error when the route takes more than a day.
 RecordedDrive drive_through(const Building& building, const BuildingDriveOptions& options);
+
+/// The route again and again, in what the building is each time: equal but for what stands in it.
+struct Rounds {
+  RecordedDrive drive;
+  std::vector<Time> begin;  ///< of each round
+};
+/// The route must end where it starts. Throws as drive_through().
+Rounds drive_rounds(std::span<const Building> rounds, const BuildingDriveOptions& options);
 
 }  // namespace bw::buildings

@@ -2,6 +2,7 @@
 // Frame: the plan's, whose axes are those of the walls. Metres.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "components/lab/bench/buildings/building.hpp"
@@ -50,7 +51,8 @@ std::vector<Segment> outline(const std::vector<Rectangle>& free);
 Building build(const FloorPlan& plan, Random& random);
 
 // One function for each kind.
-FloorPlan plan_office(Random& random);
+/// arrangement > 0: the same rooms and route, with other furniture.
+FloorPlan plan_office(Random& random, std::uint64_t arrangement);
 FloorPlan plan_corridors(Random& random);
 FloorPlan plan_loop(Random& random);
 FloorPlan plan_pillars(Random& random);

@@ -75,7 +75,7 @@ void visit_all(FloorPlan& plan, std::vector<Door> doors, bool eastwards, Random&
 
 }  // namespace
 
-FloorPlan plan_office(Random& random) {
+FloorPlan plan_office(Random& random, std::uint64_t arrangement) {
   FloorPlan plan;
   const double corridor = random.uniform(2.0, 2.6);
   const double length = 8.0 * random.uniform(3.9, 4.8);
@@ -114,13 +114,21 @@ FloorPlan plan_office(Random& random) {
   visit_all(plan, doors[1][0], false, random);
   plan.route.emplace_back(west, south);
 
-  for (const Rectangle& room : std::vector(plan.rooms))
-    furnish(plan, room, {.count = static_cast<int>(random.uniform(3.0, 8.0))}, random);
-  for (const double at : {south, north}) {
-    const Vector2 half(length / 2.0, corridor / 2.0);
-    const Vector2 center(length / 2.0, at);
-    furnish(plan, {center - half, center + half},
-            {.count = 6, .longest = 1.2, .deepest = 0.45, .along_walls = 1.0}, random);
+  const auto furnish_all = [&](Random& draws) {
+    for (const Rectangle& room : std::vector(plan.rooms))
+      furnish(plan, room, {.count = static_cast<int>(draws.uniform(3.0, 8.0))}, draws);
+    for (const double at : {south, north}) {
+      const Vector2 half(length / 2.0, corridor / 2.0);
+      const Vector2 center(length / 2.0, at);
+      furnish(plan, {center - half, center + half},
+              {.count = 6, .longest = 1.2, .deepest = 0.45, .along_walls = 1.0}, draws);
+    }
+  };
+  furnish_all(random);
+  if (arrangement > 0) {
+    plan.boxes.clear();
+    Random other(arrangement * 0xbf58476d1ce4e5b9);
+    furnish_all(other);
   }
   return plan;
 }

@@ -7,6 +7,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "components/model/rigid_fit.hpp"
 #include "components/slam/pose_graph.hpp"
 
 namespace bw::slam {
@@ -37,25 +38,12 @@ Pose2 TruthOfScans::at(Time time) const {
 TrajectoryError trajectory_error(const std::vector<Pose2>& estimated, const std::vector<Pose2>& truth) {
   if (estimated.empty()) return {};
   const auto count = static_cast<double>(estimated.size());
-  Vector2 centre_e{0.0, 0.0};
-  Vector2 centre_t{0.0, 0.0};
-  for (std::size_t k = 0; k < estimated.size(); ++k) {
-    centre_e += estimated[k].position() / count;
-    centre_t += truth[k].position() / count;
-  }
-  double dots = 0.0;
-  double crosses = 0.0;
-  for (std::size_t k = 0; k < estimated.size(); ++k) {
-    const Vector2 e = estimated[k].position() - centre_e;
-    const Vector2 t = truth[k].position() - centre_t;
-    dots += e.dot(t);
-    crosses += cross(e, t);
-  }
-  const Pose2 turn{0.0, 0.0, std::atan2(crosses, dots)};
+  RigidFit fit;
+  for (std::size_t k = 0; k < estimated.size(); ++k) fit.add(truth[k].position(), estimated[k].position());
+  const Pose2 X = fit.X_AB();
   TrajectoryError error;
   for (std::size_t k = 0; k < estimated.size(); ++k) {
-    const Vector2 laid = centre_t + rotate(turn, estimated[k].position() - centre_e);
-    const double distance = (laid - truth[k].position()).norm();
+    const double distance = (X * estimated[k].position() - truth[k].position()).norm();
     error.rms += distance * distance / count;
     error.largest = std::max(error.largest, distance);
   }
@@ -69,14 +57,15 @@ LoopFaults loop_faults(const Slam& slam, const TruthOfScans& truth) {
     return truth.at(slam.nodes()[slam.map()[submap].first_node].time);
   };
   LoopFaults faults;
-  for (const Loop& loop : slam.loops()) {
-    const Pose2 X = inverse(true_pose(loop.edge.from)) * true_pose(loop.edge.to);
-    const Pose2 error = inverse(X) * loop.edge.X.X;
+  for (const Edge& edge : slam.edges()) {
+    if (!edge.loop && edge.to == edge.from + 1) continue;  // of the drive, unless loops were composed into it
+    const Pose2 X = inverse(true_pose(edge.from)) * true_pose(edge.to);
+    const Pose2 error = inverse(X) * edge.X.X;
     ++faults.loops;
     if (is_beyond(error, 0.2, 1.0)) ++faults.wrong;
     if (!is_beyond(error, 1.0, 10.0)) continue;
     ++faults.gross;
-    if (weight_left(loop.edge, slam.X_MS()) >= kKept) ++faults.gross_kept;
+    if (!edge.loop || weight_left(edge, slam.X_MS()) >= kKept) ++faults.gross_kept;
   }
   return faults;
 }

@@ -1,5 +1,5 @@
-// Rotation and shift that carry points of one frame onto points of another, least squares, from running sums:
-// how a path by wheels lies in the map when positions along it are known.
+// Rotation and shift that carry points of one frame onto points of another, least squares (Umeyama 1991), from running
+// sums: how a path by wheels lies in the map when positions along it are known.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 #include "runtime/base/pose2.hpp"
 
-namespace bw::localization {
+namespace bw {
 
 class RigidFit {
  public:
@@ -62,4 +62,4 @@ class RigidFit {
   double squares_b_ = 0.0;
 };
 
-}  // namespace bw::localization
+}  // namespace bw
