@@ -61,7 +61,7 @@ while (($# > 0)); do
 done
 if $slam; then
   [[ -z $map ]] || refuse 2 "--slam makes the map, --map brings one: not both." "$usage"
-  settings+=(--set slam.enabled=true --set localization.enabled=false --set map_server.enabled=false)
+  settings+=(--set slam.enabled=true --set explore.enabled=true --set localization.enabled=false --set map_server.enabled=false)
 fi
 [[ -z $map ]] || settings+=(--set "map_server.map=$map")
 [[ -z $map ]] || ! $emulated || settings+=(--set "world.map=$map")

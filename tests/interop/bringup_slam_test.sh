@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# bringup_slam_test.sh ROOT PROGRAM MAP_WALLS: section 7 of config/robots/README.md on an emulated Kobuki: a map is made while it drives, saved, and the robot finds itself in it.
+# bringup_slam_test.sh ROOT PROGRAM MAP_WALLS: section 7 of config/robots/README.md on an emulated Kobuki: it explores, a map is made, saved, and the robot finds itself in it.
 set -euo pipefail
 root=$1
 bringup=$root/launch_scripts/bringup.sh
@@ -42,15 +42,14 @@ answers() { # answers WORDS COMMAND...
   "$program" "${@:2}" >"$folder/answer" 2>&1 || fail "status $? of ${*:2}: $(cat "$folder/answer")"
   grep -q -- "$1" "$folder/answer" || fail "'${*:2}' does not say '$1': $(cat "$folder/answer")"
 }
-drive_to() { # drive_to X Y
-  answers SUCCEEDED action send_goal /navigate_to_pose nav2_msgs/action/NavigateToPose \
-    "{pose: {header: {frame_id: map}, pose: {position: {x: $1, y: $2}, orientation: {w: 1.0}}}}"
-}
 
 mkdir "$folder/maps"
-up --slam --set "slam.folder=$folder/maps" --set global_planner.unknown_is_obstacle=false
-drive_to 7.5 6.5
-drive_to 6.0 5.0
+up --slam --set "slam.folder=$folder/maps"
+answers 'success: true' service call /explore/enable '{data: true}'
+for ((i = 0; i < 60; i++)); do
+  ! "$program" topic echo /explore/status --once --for 2 | grep -q exploration_complete || break
+done
+((i < 60)) || fail "exploring is not complete: $("$program" topic echo /explore/status --once --for 2)"
 answers 'result: 0' service call /slam_toolbox/save_map '{name: {data: home}}'
 down
 for file in home.yaml home.pgm; do [[ -s $folder/maps/$file ]] || fail "$file is not there"; done

@@ -9,6 +9,7 @@
 #include <nav_msgs/msg/odometry.hpp>
 #include <std_msgs/msg/bool.hpp>
 #include <std_msgs/msg/string.hpp>
+#include <std_srvs/srv/set_bool.hpp>
 #include <visualization_msgs/msg/marker_array.hpp>
 
 #include "components/explore/explorer.hpp"
@@ -57,8 +58,23 @@ class ExploreComponent final : public Component {
     });
     setup.input<std_msgs::msg::Bool>(
         "explore/resume", Qos::standard(),
-        [this](const std_msgs::msg::Bool& message, const Tick& tick) { on_resume(message.data(), tick); },
+        [this](const std_msgs::msg::Bool& message, const Tick& tick) {
+          const std::string fault = on_resume(message.data(), tick);
+          if (!fault.empty()) log_.warn("does not explore: {}", fault);
+        },
         Need::optional);
+    const auto answer = [](const std::string& fault) {
+      std_srvs::srv::SetBool::Response response;
+      response.success(fault.empty());
+      response.message(fault);
+      return response;
+    };
+    setup.service<std_srvs::srv::SetBool>(
+        "explore/enable",
+        [this, answer](const std_srvs::srv::SetBool::Request& request, const Tick& tick) {
+          return answer(on_resume(request.data(), tick));
+        },
+        answer);
     with_nav2_layout(setup.ros_distro(),
                      [&](auto layout) { declare_client<typename decltype(layout)::NavigateToPose>(setup); });
     setup.every(kEvery, "explore", [this](const Tick& tick) { look(tick); });
@@ -100,16 +116,18 @@ class ExploreComponent final : public Component {
     return is_finite(X_MB) ? std::optional(X_MB) : std::nullopt;
   }
 
-  void on_resume(bool resume, const Tick& tick) {
-    if (!resume) {
+  /// Why it does not explore; empty: it is as was asked.
+  std::string on_resume(bool resume, const Tick& tick) {
+    const std::optional<Pose2> X_MB = pose(tick.now);
+    if (!resume)
       carry_out(explorer_.pause(), tick);
-    } else if (const std::optional<Pose2> X_MB = pose(tick.now)) {
+    else if (!X_MB)
+      return "odometry/filtered does not say where the robot is";
+    else
       explorer_.resume(*X_MB);
-      is_new_map_ = true;
-    } else {
-      log_.warn("does not explore: odometry/filtered does not say where the robot is");
-    }
+    is_new_map_ = true;
     tell();
+    return {};
   }
 
   void look(const Tick& tick) {

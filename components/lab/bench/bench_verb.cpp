@@ -7,6 +7,7 @@
 #include "components/lab/bench/bench_course.hpp"
 #include "components/lab/bench/bench_crowdnav.hpp"
 #include "components/lab/bench/bench_people.hpp"
+#include "components/lab/bench/explore/bench_explore.hpp"
 #include "components/lab/bench/scaling.hpp"
 #include "components/lab/bench/slam/bench_relations.hpp"
 #include "components/lab/bench/slam/bench_rounds.hpp"
@@ -235,19 +236,35 @@ void add_relations(cli::Verb bench) {
   verb.run([relations] { return bench_relations(*relations); });
 }
 
-void add_slam(cli::Verb bench) {
-  auto slam = std::make_shared<BenchSlamArguments>();
-  cli::Verb verb = bench.verb("slam", "SLAM in simulated buildings, scored by the exact truth");
+/// `owner` holds `kinds`.
+void add_kinds(cli::Verb verb, const std::shared_ptr<void>& owner,
+               std::vector<buildings::BuildingKind>& kinds) {
   verb.option_function(
           "--kind",
-          [slam](const std::string& name) {
-            slam->kinds.clear();
+          [owner, &kinds](const std::string& name) {
+            kinds.clear();
             for (const buildings::BuildingKind kind : buildings::kBuildingKinds) {
-              if (name == "all" || name == buildings::to_text(kind)) slam->kinds.push_back(kind);
+              if (name == "all" || name == buildings::to_text(kind)) kinds.push_back(kind);
             }
           },
           "office (default), corridors, loop, pillars, warehouse, or all")
       .one_of({"office", "corridors", "loop", "pillars", "warehouse", "all"});
+}
+
+void add_explore(cli::Verb bench) {
+  auto explore = std::make_shared<BenchExploreArguments>();
+  cli::Verb verb = bench.verb("explore", "Exploring simulated buildings, beside a tour that knows them");
+  add_kinds(verb, explore, explore->kinds);
+  verb.option("--seeds", explore->seeds, "Buildings of each kind (1)").within(1, 10000);
+  verb.option("--first", explore->first, "Seed of the first (1)");
+  verb.option("--json", explore->json, "Writes the figures here");
+  verb.run([explore] { return bench_explore(*explore); });
+}
+
+void add_slam(cli::Verb bench) {
+  auto slam = std::make_shared<BenchSlamArguments>();
+  cli::Verb verb = bench.verb("slam", "SLAM in simulated buildings, scored by the exact truth");
+  add_kinds(verb, slam, slam->kinds);
   verb.option("--seeds", slam->seeds, "Buildings of each kind (1)").within(1, 10000);
   verb.option("--first", slam->first, "Seed of the first (1)");
   verb.option("--walkers", slam->drive.walkers, "People who walk about (0)").within(0, 1000);
@@ -280,6 +297,7 @@ void add_bench(cli::Verb bench) {
   add_people(bench);
   add_course(bench);
   add_relations(bench);
+  add_explore(bench);
   add_slam(bench);
 }
 
