@@ -100,5 +100,6 @@ without="the program is built without its page"
 [[ $what != tests ]] || without+=", and tests on Node.js are skipped"
 install_programs "$without" node=nodejs npm
 [[ $what != tests ]] || install_programs "tests in a browser are skipped" chromium
+[[ $what != tests ]] || install_programs "completion in a zsh is not tried" zsh
 [[ $what != tests ]] || install_programs "tests on a machine of their own are skipped" ip=iproute2
 install_node_packages "$without"
