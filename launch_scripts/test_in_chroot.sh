@@ -211,11 +211,10 @@ test_image() {
   buildah rm "$container" >/dev/null
 }
 
-# In a chroot of its own: some -dev packages of two architectures do not go beside each other.
+# In a chroot of its own: libceres-dev of two processors do not go beside each other.
 test_arm64() {
   here=$suite-arm64
   clone
-  set_up package
   set_up arm64
   timed "package.sh --arm64" in_clone "./launch_scripts/package.sh --arm64"
   local program="qemu-aarch64 build/arm64/bin/bandwagon" run component
