@@ -35,10 +35,12 @@ case $what in
 esac
 
 install_debian_packages() {
-  local package status missing=() as_root=()
+  local package processor missing=() as_root=()
   for package in "$@"; do
-    status=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null || true)
-    [[ $status == installed ]] || missing+=("$package")
+    processor=$(dpkg --print-architecture)
+    [[ $package != *:* ]] || processor=${package#*:}
+    dpkg-query --show --showformat='${Architecture} ${db:Status-Status}\n' "$package" 2>/dev/null | grep -xE "($processor|all) installed" >/dev/null ||
+      missing+=("$package")
   done
   ((${#missing[@]} > 0)) || return 0
   if ((EUID != 0)); then
