@@ -177,6 +177,15 @@ TEST(ReadParameters, LeavesTheValueAloneWhenItThrows) {
   EXPECT_EQ(world, World{});
 }
 
+// A section that several components read, such as `robot`.
+TEST(Violations, OfTheSameTextAreToldOnce) {
+  const Violation one{
+      .where = {"r.yaml", 3}, .key = "robot.radius", .value = "-1", .rule = "must be positive"};
+  const Violation other{.where = {"r.yaml", 4}, .key = "robot.name", .value = "", .rule = "is missing"};
+  EXPECT_STREQ(ConfigError({one, other, one, one}).what(),
+               "r.yaml:3: robot.radius = -1: must be positive\nr.yaml:4: robot.name: is missing");
+}
+
 TEST(ReadParameters, LimitsTheLengthOfLists) {
   std::string yaml = "gains: [";
   for (std::size_t i = 0; i <= kMaxListElements; ++i) yaml += "1,";
