@@ -179,11 +179,14 @@ TEST(ReadParameters, LeavesTheValueAloneWhenItThrows) {
 
 // A section that several components read, such as `robot`.
 TEST(Violations, OfTheSameTextAreToldOnce) {
-  const Violation one{
-      .where = {"r.yaml", 3}, .key = "robot.radius", .value = "-1", .rule = "must be positive"};
-  const Violation other{.where = {"r.yaml", 4}, .key = "robot.name", .value = "", .rule = "is missing"};
-  std::vector<Violation> all(3, one);  // a braced list of them, GCC 12 takes for uninitialised
-  all.insert(all.begin() + 1, other);
+  std::vector<Violation> all;
+  for (const int line : {3, 4, 3, 3}) {
+    Violation& violation = all.emplace_back();
+    violation.where = {"r.yaml", line};
+    violation.key = line == 3 ? "robot.radius" : "robot.name";
+    violation.value = line == 3 ? "-1" : "";
+    violation.rule = line == 3 ? "must be positive" : "is missing";
+  }
   EXPECT_STREQ(ConfigError(all).what(),
                "r.yaml:3: robot.radius = -1: must be positive\nr.yaml:4: robot.name: is missing");
 }
