@@ -1,0 +1,130 @@
+#include "components/explore/frontier_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <deque>
+#include <optional>
+#include <utility>
+
+#include "components/explore/wavefront.hpp"
+
+namespace bw::explore {
+namespace {
+
+constexpr ObstacleRule kOccupied{.unknown_is_obstacle = false};
+constexpr ObstacleRule kNotKnownFree{.unknown_is_obstacle = true};
+constexpr double kBeside = 0.5;   // [m] from a robot that stands where it does not fit to where it does
+constexpr double kLooksIn = 1.5;  // [m] from a goal to its frontier
+
+class Search {
+ public:
+  Search(const OccupancyGrid& map, const FrontierOptions& options) : map_(map), options_(options) {}
+
+  FrontierSearch run(const Vector2& robot) {
+    FrontierSearch result;
+    const std::vector<bool> fits = cells_for_disc(map_, options_.radius, kOccupied);
+    const std::optional<Cell> start = nearest_cell(map_, fits, robot, kBeside);
+    if (!start) return result;
+    result.is_placed = true;
+    joined_ = wavefront(map_, fits, *start);
+    path_.assign(map_.cells.size(), kUnreached);
+    const std::vector<bool> is_safe = cells_for_disc(map_, options_.radius, kNotKnownFree);
+    if (const std::optional<Cell> safe = nearest_cell(map_, is_safe, robot, kBeside))
+      path_ = wavefront(map_, is_safe, *safe);
+    std::vector<bool> taken(map_.cells.size(), false);
+    for (int row = 0; row < map_.height; ++row)
+      for (int column = 0; column < map_.width; ++column)
+        if (const Cell cell{column, row}; !taken[index(cell)] && is_frontier(cell))
+          add(cluster(cell, taken), result);
+    std::ranges::sort(result.frontiers, [](const Frontier& a, const Frontier& b) {
+      if (a.path_length != b.path_length) return a.path_length < b.path_length;
+      return std::pair(a.centre.x(), a.centre.y()) < std::pair(b.centre.x(), b.centre.y());
+    });
+    return result;
+  }
+
+ private:
+  std::size_t index(Cell c) const { return map_.index(c.column, c.row); }
+
+  bool is_frontier(Cell cell) const {
+    if (joined_[index(cell)] == kUnreached) return false;
+    bool touches = false;
+    for_neighbours(map_, cell, [&](Cell next) { touches |= map_.at(next.column, next.row) < 0; });
+    return touches;
+  }
+
+  std::vector<Cell> cluster(Cell start, std::vector<bool>& taken) const {
+    std::vector<Cell> cells{start};
+    taken[index(start)] = true;
+    for (std::size_t k = 0; k < cells.size(); ++k)
+      for_neighbours(map_, cells[k], [&](Cell next) {
+        if (taken[index(next)] || !is_frontier(next)) return;
+        taken[index(next)] = true;
+        cells.push_back(next);
+      });
+    return cells;
+  }
+
+  void add(const std::vector<Cell>& cells, FrontierSearch& result) const {
+    Frontier frontier;
+    frontier.length = static_cast<double>(cells.size()) * map_.resolution;
+    if (frontier.length < options_.least_length) return;
+    Vector2 mean{0.0, 0.0};
+    for (const Cell c : cells) mean += map_.center(c.column, c.row) / static_cast<double>(cells.size());
+    const Cell centre = *std::ranges::min_element(
+        cells, {}, [&](Cell c) { return (map_.center(c.column, c.row) - mean).squaredNorm(); });
+    frontier.centre = map_.center(centre.column, centre.row);
+    const std::optional<Cell> goal = goal_before(centre);
+    if (!goal) {
+      result.out_of_reach.push_back(frontier.centre);
+      return;
+    }
+    const Vector2 at = map_.center(goal->column, goal->row);
+    const Vector2 looks = frontier.centre - at;
+    frontier.goal = {at.x(), at.y(), std::atan2(looks.y(), looks.x())};
+    frontier.path_length = path_[index(*goal)];
+    result.frontiers.push_back(frontier);
+  }
+
+  // The nearest cell, by steps over cells where the robot fits, that a path leads to.
+  std::optional<Cell> goal_before(Cell frontier) const {
+    const int most = static_cast<int>(kLooksIn / map_.resolution);
+    const int side = 2 * most + 1;
+    std::vector<bool> seen(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), false);
+    const auto place = [&](Cell c) {
+      return static_cast<std::size_t>(c.row - frontier.row + most) * static_cast<std::size_t>(side) +
+             static_cast<std::size_t>(c.column - frontier.column + most);
+    };
+    std::deque<Cell> open{frontier};
+    seen[place(frontier)] = true;
+    while (!open.empty()) {
+      const Cell at = open.front();
+      open.pop_front();
+      if (path_[index(at)] < kUnreached) return at;
+      for_neighbours(map_, at, [&](Cell next) {
+        if (std::abs(next.column - frontier.column) > most || std::abs(next.row - frontier.row) > most)
+          return;
+        if (seen[place(next)] || joined_[index(next)] == kUnreached) return;
+        seen[place(next)] = true;
+        open.push_back(next);
+      });
+    }
+    return std::nullopt;
+  }
+
+  const OccupancyGrid& map_;
+  FrontierOptions options_;
+  std::vector<double> joined_;  // where the robot fits if what is unknown is free; lengths of ways there [m]
+  std::vector<double> path_;    // the same without touching what is unknown
+};
+
+}  // namespace
+
+FrontierSearch find_frontiers(const OccupancyGrid& map, const Vector2& robot,
+                              const FrontierOptions& options) {
+  if (map.cells.empty()) return {};
+  return Search(map, options).run(robot);
+}
+
+}  // namespace bw::explore
