@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <deque>
 #include <optional>
 #include <utility>
 
@@ -29,6 +28,7 @@ class Search {
     result.is_placed = true;
     joined_ = wavefront(map_, fits, *start);
     path_.assign(map_.cells.size(), kUnreached);
+    seen_.assign(map_.cells.size(), 0);
     const std::vector<bool> is_safe = cells_for_disc(map_, options_.radius, kNotKnownFree);
     if (const std::optional<Cell> safe = nearest_cell(map_, is_safe, robot, kBeside))
       path_ = wavefront(map_, is_safe, *safe);
@@ -66,7 +66,7 @@ class Search {
     return cells;
   }
 
-  void add(const std::vector<Cell>& cells, FrontierSearch& result) const {
+  void add(const std::vector<Cell>& cells, FrontierSearch& result) {
     Frontier frontier;
     frontier.length = static_cast<double>(cells.size()) * map_.resolution;
     if (frontier.length < options_.least_length) return;
@@ -75,7 +75,8 @@ class Search {
     const Cell centre = *std::ranges::min_element(
         cells, {}, [&](Cell c) { return (map_.center(c.column, c.row) - mean).squaredNorm(); });
     frontier.centre = map_.center(centre.column, centre.row);
-    const std::optional<Cell> goal = goal_before(centre);
+    std::optional<Cell> goal = goal_before({centre});
+    if (!goal) goal = goal_before(cells);  // of a long one some other part may be near enough
     if (!goal) {
       result.out_of_reach.push_back(frontier.centre);
       return;
@@ -88,27 +89,22 @@ class Search {
   }
 
   // The nearest cell, by steps over cells where the robot fits, that a path leads to.
-  std::optional<Cell> goal_before(Cell frontier) const {
+  std::optional<Cell> goal_before(const std::vector<Cell>& frontier) {
+    ++search_;
     const int most = static_cast<int>(kLooksIn / map_.resolution);
-    const int side = 2 * most + 1;
-    std::vector<bool> seen(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), false);
-    const auto place = [&](Cell c) {
-      return static_cast<std::size_t>(c.row - frontier.row + most) * static_cast<std::size_t>(side) +
-             static_cast<std::size_t>(c.column - frontier.column + most);
-    };
-    std::deque<Cell> open{frontier};
-    seen[place(frontier)] = true;
-    while (!open.empty()) {
-      const Cell at = open.front();
-      open.pop_front();
-      if (path_[index(at)] < kUnreached) return at;
-      for_neighbours(map_, at, [&](Cell next) {
-        if (std::abs(next.column - frontier.column) > most || std::abs(next.row - frontier.row) > most)
-          return;
-        if (seen[place(next)] || joined_[index(next)] == kUnreached) return;
-        seen[place(next)] = true;
-        open.push_back(next);
-      });
+    std::vector<Cell> open = frontier;
+    for (const Cell c : frontier) seen_[index(c)] = search_;
+    for (int step = 0; step <= most && !open.empty(); ++step) {
+      std::vector<Cell> next_ones;
+      for (const Cell at : open) {
+        if (path_[index(at)] < kUnreached) return at;
+        for_neighbours(map_, at, [&](Cell next) {
+          if (seen_[index(next)] == search_ || joined_[index(next)] == kUnreached) return;
+          seen_[index(next)] = search_;
+          next_ones.push_back(next);
+        });
+      }
+      open = std::move(next_ones);
     }
     return std::nullopt;
   }
@@ -117,6 +113,8 @@ class Search {
   FrontierOptions options_;
   std::vector<double> joined_;  // where the robot fits if what is unknown is free; lengths of ways there [m]
   std::vector<double> path_;    // the same without touching what is unknown
+  std::vector<int> seen_;       // by which search for a goal
+  int search_ = 0;
 };
 
 }  // namespace

@@ -1,5 +1,8 @@
 // Adaptor of exploring: follows the map, drives to its frontiers by navigate_to_pose. Topics: README.md.
+#include "components/explore/adaptor/explore_component.hpp"
+
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -13,7 +16,6 @@
 #include <std_msgs/msg/string.hpp>
 #include <visualization_msgs/msg/marker_array.hpp>
 
-#include "components/explore/explorer.hpp"
 #include "components/messages/base_stop_source.hpp"
 #include "components/messages/current_footprint.hpp"
 #include "components/messages/geometry.hpp"
@@ -47,6 +49,8 @@ constexpr std::size_t kMostTold = 10;  // frontiers in a status
 
 class ExploreComponent final : public Component {
  public:
+  explicit ExploreComponent(const explore::ExplorerOptions& options = {}) : explorer_(options) {}
+
   void configure(Setup& setup) override {
     log_ = setup.log();
     diagnostics_ = &setup.diagnostics();
@@ -80,17 +84,18 @@ class ExploreComponent final : public Component {
     send_ = [this, client](const geometry_msgs::msg::PoseStamped& pose) {
       typename Action::Goal goal;
       goal.pose(pose);
+      const std::uint64_t number = ++number_;
       return client.send(
           goal, kPatience,
           {.on_acknowledged =
-               [this](bool accepted, const Tick& tick) {
-                 if (!accepted) end_goal(GoalEnd::failed, "it was not accepted", tick.now);
+               [this, number](bool accepted, const Tick& tick) {
+                 if (!accepted) end_goal(number, GoalEnd::failed, "it was not accepted", tick.now);
                },
            .on_result =
-               [this](GoalStatus status, const typename Action::Result* result, const Tick& tick) {
+               [this, number](GoalStatus status, const typename Action::Result* result, const Tick& tick) {
                  const std::string why = result == nullptr ? "no result came" : error_text_of(*result);
-                 if (is_taken_over(status, why)) return hand_over();
-                 end_goal(status == GoalStatus::succeeded ? GoalEnd::reached : GoalEnd::failed, why,
+                 if (number == number_ && goal_ && is_taken_over(status, why)) return hand_over();
+                 end_goal(number, status == GoalStatus::succeeded ? GoalEnd::reached : GoalEnd::failed, why,
                           tick.now);
                }});
     };
@@ -133,6 +138,7 @@ class ExploreComponent final : public Component {
 
   void look(const Tick& tick) {
     report();
+    if (canceled_) cancel_(*canceled_);  // it drives on: the navigator may not have heard
     const ExploreState state = explorer_.state();
     if (state != ExploreState::exploring && state != ExploreState::returning) return;
     const std::optional<Pose2> X_MB = pose(tick.now);
@@ -158,19 +164,23 @@ class ExploreComponent final : public Component {
   }
 
   void carry_out(const ExploreStep& step, const Tick& tick) {
-    if (step.cancels && goal_) cancel_(*goal_);
-    if (goal_ && (step.cancels || step.goal)) {
-      forget_(*goal_);
-      goal_.reset();
+    if (step.cancels && goal_) {
+      canceled_ = std::exchange(goal_, std::nullopt);
+      cancel_(*canceled_);
     }
     if (!step.goal) return;
+    if (goal_) forget_(*goal_);  // the newer one takes its place
+    canceled_.reset();
     geometry_msgs::msg::PoseStamped pose;
     pose.header(make_header(map_frame_, tick.now));
     pose.pose(to_pose(*step.goal));
     goal_ = send_(pose);
   }
 
-  void end_goal(GoalEnd end, const std::string& why, Time now) {
+  void end_goal(std::uint64_t number, GoalEnd end, const std::string& why, Time now) {
+    if (number != number_) return;
+    canceled_.reset();
+    if (!goal_) return;
     goal_.reset();
     const bool is_its_fault = !pose(now) || base_.at(now);
     if (end == GoalEnd::failed && is_its_fault) end = GoalEnd::dropped;
@@ -249,12 +259,18 @@ class ExploreComponent final : public Component {
   std::string map_frame_;
   Complaint map_fault_;
   bool is_new_map_ = false;
-  std::string waits_for_;  ///< empty: for nothing
-  std::optional<GoalId> goal_;
+  std::string waits_for_;           ///< empty: for nothing
+  std::uint64_t number_ = 0;        ///< of the newest goal
+  std::optional<GoalId> goal_;      ///< in hand
+  std::optional<GoalId> canceled_;  ///< and has not ended yet
   explore::Explorer explorer_;
   std::optional<ExploreState> told_;
 };
 
 BW_COMPONENT(ExploreComponent, "explore")
+
+std::unique_ptr<Component> make_explore_component(const explore::ExplorerOptions& options) {
+  return std::make_unique<ExploreComponent>(options);
+}
 
 }  // namespace bw

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -7,6 +8,7 @@
 #include "components/lab/bench/bench_course.hpp"
 #include "components/lab/bench/bench_crowdnav.hpp"
 #include "components/lab/bench/bench_people.hpp"
+#include "components/lab/bench/explore/bench_explore.hpp"
 #include "components/lab/bench/scaling.hpp"
 #include "components/lab/bench/slam/bench_relations.hpp"
 #include "components/lab/bench/slam/bench_rounds.hpp"
@@ -271,6 +273,37 @@ void add_slam(cli::Verb bench) {
   verb.run([slam] { return slam->rounds > 0 ? bench_rounds(*slam) : bench_slam(*slam); });
 }
 
+void add_explore(cli::Verb bench) {
+  auto explore = std::make_shared<BenchExploreArguments>();
+  cli::Verb verb = bench.verb("explore", "Simulated buildings explored by a whole robot in lock-step");
+  verb.list_function(
+          "--kind",
+          [explore](const std::vector<std::string>& names) {
+            explore->kinds.clear();
+            for (const buildings::BuildingKind kind : buildings::kBuildingKinds)
+              if (std::ranges::find(names, buildings::to_text(kind)) != names.end())
+                explore->kinds.push_back(kind);
+          },
+          "office (default), corridors, loop, pillars, warehouse; several separated by commas")
+      .separated_by_commas()
+      .one_of({"office", "corridors", "loop", "pillars", "warehouse"});
+  verb.option("--seeds", explore->seeds, "Buildings of each kind (1)").within(1, 10000);
+  verb.option("--first", explore->first, "Seed of the first (1)");
+  verb.flag("--nearest,!--no-nearest", explore->nearest,
+            "Each a second time, by the nearest frontier (default)");
+  verb.option("--robot", explore->drive.robot, "Robot file, or the name of one (kobuki)");
+  verb.option("--longest", explore->drive.longest, "A drive ends then [s] (3600)").within(1.0, 1e5);
+  verb.option("--gain", explore->drive.explorer.gain_scale, "[m] of way that a metre of frontier is worth")
+      .within(0.0, 100.0);
+  verb.option("--hysteresis", explore->drive.explorer.hysteresis,
+              "So much less another frontier must cost [m]")
+      .within(0.0, 100.0);
+  verb.option("--set", explore->drive.set, "component.parameter=value, as often as needed").one_each_time();
+  verb.option("--maps", explore->maps, "Folder for the map of each drive");
+  verb.option("--json", explore->json, "Writes the figures here");
+  verb.run([explore] { return bench_explore(*explore); });
+}
+
 void add_bench(cli::Verb bench) {
   add_teb(bench);
   add_crowd(bench);
@@ -281,6 +314,7 @@ void add_bench(cli::Verb bench) {
   add_course(bench);
   add_relations(bench);
   add_slam(bench);
+  add_explore(bench);
 }
 
 }  // namespace

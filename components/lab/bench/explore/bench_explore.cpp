@@ -1,0 +1,140 @@
+#include "components/lab/bench/explore/bench_explore.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "components/files/map_file.hpp"
+#include "components/lab/bench/bench_common.hpp"
+#include "components/lab/bench/explore/coverage.hpp"
+#include "runtime/base/quantile.hpp"
+
+namespace bw {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr double kResolution = 0.05;     // of the true map [m]
+constexpr double kTourResolution = 0.1;  // of the tour's [m]
+constexpr double kTourRange = 12.0;      // of the emulated laser [m]
+
+/// One way to choose the next frontier.
+struct Way {
+  const char* name;
+  explore::ExplorerOptions options;
+};
+
+struct Row {
+  std::string way;
+  ExploreDrive drive;
+  double known = 0.0;
+  double tour = 0.0;   ///< [m]
+  double cpu_s = 0.0;  ///< of the whole simulation
+};
+
+std::vector<Way> ways_of(const BenchExploreArguments& arguments) {
+  explore::ExplorerOptions chosen = arguments.drive.explorer;
+  chosen.return_to_init = false;
+  std::vector<Way> ways = {{"chosen", chosen}};
+  chosen.gain_scale = 0.0;
+  chosen.hysteresis = 0.0;
+  if (arguments.nearest) ways.push_back({"nearest", chosen});
+  return ways;
+}
+
+Row explored(const buildings::Building& building, const Way& way, const BenchExploreArguments& arguments) {
+  Row row;
+  row.way = way.name;
+  ExploreDriveOptions options = arguments.drive;
+  options.explorer = way.options;
+  const double before = process_cpu_ms();
+  row.drive = explore_building(building, options);
+  row.cpu_s = 1e-3 * (process_cpu_ms() - before);
+  if (row.drive.map)
+    row.known = coverage(explorable(building, row.drive.radius, kResolution), *row.drive.map);
+  row.tour = greedy_tour(explorable(building, row.drive.radius, kTourResolution), kTourRange);
+  if (!arguments.maps.empty() && row.drive.map) {
+    std::string name = building.name + "_" + way.name;
+    std::ranges::replace(name, ' ', '_');
+    std::filesystem::create_directories(arguments.maps);
+    save_map(*row.drive.map, std::filesystem::path(arguments.maps) / (name + ".yaml"), {});
+  }
+  return row;
+}
+
+void print(const std::string& building, const Row& r) {
+  std::printf(
+      "%s",
+      fmt::format("{:<14} {:<8} known {:.2f} %  way {:.0f} m ({:.2f} of the tour's {:.0f} m)  {:.0f} s  "
+                  "contacts {}  CPU {:.0f} s  {}\n",
+                  building, r.way, 100.0 * r.known, r.drive.way, r.drive.way / r.tour, r.tour, r.drive.time,
+                  r.drive.contacts, r.cpu_s, r.drive.status)
+          .c_str());
+  std::fflush(stdout);
+}
+
+ordered_json json_of(const std::string& building, const Row& r) {
+  return {{"building", building},
+          {"way", r.way},
+          {"complete", r.drive.complete},
+          {"known", r.known},
+          {"way_m", r.drive.way},
+          {"tour_m", r.tour},
+          {"time_s", r.drive.time},
+          {"contacts", r.drive.contacts},
+          {"status", r.drive.status},
+          {"cpu_s", r.cpu_s},
+          {"samples_sha256", r.drive.samples_sha256}};
+}
+
+void sum_up(const char* kind, const char* way, const std::vector<Row>& rows) {
+  std::vector<double> known;
+  std::vector<double> ratios;
+  std::vector<double> ways;
+  std::uint32_t contacts = 0;
+  std::size_t complete = 0;
+  for (const Row& row : rows) {
+    if (row.way != way) continue;
+    known.push_back(row.known);
+    ratios.push_back(row.drive.way / row.tour);
+    ways.push_back(row.drive.way);
+    contacts += row.drive.contacts;
+    complete += row.drive.complete ? 1 : 0;
+  }
+  if (known.empty()) return;
+  std::printf(
+      "%s",
+      fmt::format("{} {}: {} of {} complete, known {:.2f} % on average, {:.2f} % at least; way {:.0f} m, "
+                  "{:.2f} of the tour's; {} contacts\n",
+                  kind, way, complete, known.size(), 100.0 * mean(known),
+                  100.0 * *std::ranges::min_element(known), mean(ways), mean(ratios), contacts)
+          .c_str());
+}
+
+}  // namespace
+
+int bench_explore(const BenchExploreArguments& arguments) {
+  ordered_json drives = ordered_json::array();
+  for (const buildings::BuildingKind kind : arguments.kinds) {
+    std::vector<Row> rows;
+    const std::vector<Way> ways = ways_of(arguments);
+    for (int i = 0; i < arguments.seeds; ++i) {
+      BenchExploreArguments one = arguments;
+      one.drive.seed = arguments.first + static_cast<std::uint64_t>(i);
+      const buildings::Building building = buildings::make_building(kind, one.drive.seed);
+      for (const Way& way : ways) {
+        rows.push_back(explored(building, way, one));
+        print(building.name, rows.back());
+        drives.push_back(json_of(building.name, rows.back()));
+      }
+    }
+    for (const Way& way : ways) sum_up(buildings::to_text(kind), way.name, rows);
+  }
+  write_json(arguments.json, {{"drives", std::move(drives)}});
+  return 0;
+}
+
+}  // namespace bw

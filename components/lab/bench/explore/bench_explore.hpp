@@ -1,0 +1,26 @@
+// `bandwagon bench explore`: buildings explored by a whole robot, beside the nearest frontier and a tour that knows them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "components/lab/bench/buildings/building.hpp"
+#include "components/lab/bench/explore/explore_drive.hpp"
+
+namespace bw {
+
+struct BenchExploreArguments {
+  std::vector<buildings::BuildingKind> kinds = {buildings::BuildingKind::office};
+  int seeds = 1;
+  std::uint64_t first = 1;    ///< of the seeds
+  bool nearest = true;        ///< each building a second time, by the nearest frontier
+  ExploreDriveOptions drive;  ///< its seed is each of these
+  std::string maps;           ///< folder for the map of each drive; empty: none
+  std::string json;           ///< output file; empty: none
+};
+
+/// Prints a line for each drive and sums up each kind; writes JSON and maps. Returns the exit status (0). Throws
+/// ConfigError or std::runtime_error.
+int bench_explore(const BenchExploreArguments& arguments);
+
+}  // namespace bw
