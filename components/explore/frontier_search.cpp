@@ -75,8 +75,9 @@ class Search {
     const Cell centre = *std::ranges::min_element(
         cells, {}, [&](Cell c) { return (map_.center(c.column, c.row) - mean).squaredNorm(); });
     frontier.centre = map_.center(centre.column, centre.row);
-    std::optional<Cell> goal = goal_before({centre});
-    if (!goal) goal = goal_before(cells);  // of a long one some other part may be near enough
+    std::optional<Cell> goal = goal_before({centre}, frontier.centre);
+    if (!goal)
+      goal = goal_before(cells, frontier.centre);  // of a long one some other part may be near enough
     if (!goal) {
       result.out_of_reach.push_back(frontier.centre);
       return;
@@ -88,23 +89,27 @@ class Search {
     result.frontiers.push_back(frontier);
   }
 
-  // The nearest cell, by steps over cells where the robot fits, that a path leads to.
-  std::optional<Cell> goal_before(const std::vector<Cell>& frontier) {
+  // The nearest cell, by steps over cells where the robot fits, that a path leads to; of several the nearest to the
+  // middle of where it begins.
+  std::optional<Cell> goal_before(const std::vector<Cell>& frontier, const Vector2& middle) {
     ++search_;
     const int most = static_cast<int>(kLooksIn / map_.resolution);
-    std::vector<Cell> open = frontier;
+    std::vector<Cell> ring = frontier;
     for (const Cell c : frontier) seen_[index(c)] = search_;
-    for (int step = 0; step <= most && !open.empty(); ++step) {
-      std::vector<Cell> next_ones;
-      for (const Cell at : open) {
-        if (path_[index(at)] < kUnreached) return at;
+    for (int step = 0; step <= most && !ring.empty(); ++step) {
+      std::optional<Cell> nearest;
+      const auto away = [&](Cell c) { return (map_.center(c.column, c.row) - middle).squaredNorm(); };
+      std::vector<Cell> next_ring;
+      for (const Cell at : ring) {
+        if (path_[index(at)] < kUnreached && (!nearest || away(at) < away(*nearest))) nearest = at;
         for_neighbours(map_, at, [&](Cell next) {
           if (seen_[index(next)] == search_ || joined_[index(next)] == kUnreached) return;
           seen_[index(next)] = search_;
-          next_ones.push_back(next);
+          next_ring.push_back(next);
         });
       }
-      open = std::move(next_ones);
+      if (nearest) return nearest;
+      ring = std::move(next_ring);
     }
     return std::nullopt;
   }

@@ -172,7 +172,7 @@ TEST(ExploreComponent, AFailureComesOntoTheBlacklistAndHasASecondChance) {
   EXPECT_THAT(play.xs(), ElementsAre(0.15, 3.85, 0.15, 3.85, 1.05));
   EXPECT_EQ(
       play.statuses.back(),
-      "exploration_complete: 5 goals, 4 not reached; left: (-0.0, 1.4) not reached: no way; (4.0, 1.4) not "
+      "exploration_complete: 5 goals, 4 not reached; left: (-0.0, 1.5) not reached: no way; (4.1, 1.5) not "
       "reached: no way");
 }
 
