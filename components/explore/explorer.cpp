@@ -8,7 +8,7 @@ namespace {
 // [m] between centres of a frontier from one map to the next, and between goals that are not worth a new one.
 constexpr double kSame = 0.5;
 
-// A second each, from when a frontier was reached: the map may be told as late as that.
+// Until a frontier that was reached is for nothing, and until nothing is left: the map may be of a moment before.
 constexpr int kLooks = 3;
 
 constexpr std::string_view kNothingSeen = "nothing more of it is seen from before it";
@@ -57,7 +57,8 @@ ExploreStep Explorer::look(const FrontierSearch& search) {
     next = best(search.frontiers);
   }
   take_stock(search);
-  if (next == nullptr) return nothing_left();
+  if (next == nullptr) return ++empty_looks_ < kLooks ? ExploreStep{} : nothing_left();
+  empty_looks_ = 0;
   const bool is_driven_to = target_ && are_near(next->goal.position(), goal_.position());
   state_ = ExploreState::exploring;
   target_ = next->centre;

@@ -21,7 +21,7 @@ enum class ExploreState : std::uint8_t {
 std::string_view to_string(ExploreState state);
 
 struct ExplorerOptions {
-  double gain_scale = 0.5;     ///< [m] of path that a metre of frontier is worth
+  double gain_scale = 0.1;     ///< [m] of path that a metre of frontier is worth
   double hysteresis = 2.0;     ///< another frontier must cost so much less than the one in hand [m]
   bool return_to_init = true;  ///< when nothing is left
 };
@@ -62,8 +62,8 @@ class Explorer {
   void goal_ended(GoalEnd end, const std::string& why);
 
   ExploreState state() const { return state_; }
-  /// Looks for a frontier to drive to.
-  bool is_idle() const { return state_ == ExploreState::exploring && !target_; }
+  /// Looks for a frontier to drive to, or whether none is left.
+  bool is_idle() const { return state_ == ExploreState::exploring && (!target_ || empty_looks_ > 0); }
   /// Of the search that was looked at: frontiers that are on the blacklist or out of reach, and why.
   const std::vector<LeftFrontier>& left() const { return left_; }
   std::size_t goals() const { return goals_; }    ///< that were sent
@@ -90,6 +90,7 @@ class Explorer {
   Pose2 goal_;                      ///< that was sent for it
   std::optional<Vector2> reached_;  ///< the frontier before which the robot stands
   int looks_ = 0;                   ///< since then
+  int empty_looks_ = 0;             ///< one after the other, with nothing to drive to
   std::vector<Failure> blacklist_;
   bool second_chance_ = false;  ///< was given
   std::vector<LeftFrontier> left_;

@@ -23,15 +23,13 @@ class Search {
   FrontierSearch run(const Vector2& robot) {
     FrontierSearch result;
     const std::vector<bool> fits = cells_for_disc(map_, options_.radius, kOccupied);
-    const std::optional<Cell> start = nearest_cell(map_, fits, robot, kBeside);
-    if (!start) return result;
+    const std::vector<Cell> start = cells_beside(map_, fits, robot, kBeside);
+    if (start.empty()) return result;
     result.is_placed = true;
-    joined_ = wavefront(map_, fits, *start);
-    path_.assign(map_.cells.size(), kUnreached);
+    joined_ = wavefront(map_, fits, start);
     seen_.assign(map_.cells.size(), 0);
     const std::vector<bool> is_safe = cells_for_disc(map_, options_.radius, kNotKnownFree);
-    if (const std::optional<Cell> safe = nearest_cell(map_, is_safe, robot, kBeside))
-      path_ = wavefront(map_, is_safe, *safe);
+    path_ = wavefront(map_, is_safe, cells_beside(map_, is_safe, robot, kBeside));
     std::vector<bool> taken(map_.cells.size(), false);
     for (int row = 0; row < map_.height; ++row)
       for (int column = 0; column < map_.width; ++column)

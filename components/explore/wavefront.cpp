@@ -9,10 +9,24 @@
 #include "components/model/distance_transform.hpp"
 
 namespace bw::explore {
+namespace {
+
+bool is_open_between(const OccupancyGrid& map, const Vector2& a, const Vector2& b) {
+  constexpr ObstacleRule kOccupied{};
+  const int parts = static_cast<int>(std::ceil((b - a).norm() / (0.5 * map.resolution)));
+  for (int k = 0; k < parts; ++k) {
+    const Vector2 p = a + (b - a) * (static_cast<double>(k) / parts);
+    const int column = map.column_of(p.x());
+    const int row = map.row_of(p.y());
+    if (map.contains(column, row) && kOccupied.blocks(map.at(column, row))) return false;
+  }
+  return true;
+}
+
+}  // namespace
 
 std::vector<bool> cells_for_disc(const OccupancyGrid& map, double radius, const ObstacleRule& rule) {
-  // Distances are between centres of cells, and an obstacle fills its cell: half its diagonal is 0.71 of an edge.
-  const double clearance = radius + 0.75 * map.resolution;
+  const double clearance = radius + 0.5 * map.resolution;  // between centres
   const std::vector<float> distance = distance_field(map, rule);
   std::vector<bool> fits(map.cells.size(), false);
   for (std::size_t i = 0; i < fits.size(); ++i) {
@@ -22,29 +36,31 @@ std::vector<bool> cells_for_disc(const OccupancyGrid& map, double radius, const 
   return fits;
 }
 
-std::optional<Cell> nearest_cell(const OccupancyGrid& map, const std::vector<bool>& passable,
-                                 const Vector2& position, double reach) {
-  const int cells = static_cast<int>(std::ceil(reach / map.resolution));
+std::vector<Cell> cells_beside(const OccupancyGrid& map, const std::vector<bool>& passable,
+                               const Vector2& position, double reach) {
   const Cell at{map.column_of(position.x()), map.row_of(position.y())};
-  std::optional<Cell> best;
-  double nearest = reach;
+  if (map.contains(at.column, at.row) && passable[map.index(at.column, at.row)]) return {at};
+  const int cells = static_cast<int>(std::ceil(reach / map.resolution));
+  std::vector<Cell> found;
   for (int row = std::max(0, at.row - cells); row <= std::min(map.height - 1, at.row + cells); ++row)
     for (int column = std::max(0, at.column - cells); column <= std::min(map.width - 1, at.column + cells);
          ++column) {
-      const double away = (map.center(column, row) - position).norm();
-      if (away > nearest || (best && away == nearest) || !passable[map.index(column, row)]) continue;
-      nearest = away;
-      best = Cell{column, row};
+      const Vector2 centre = map.center(column, row);
+      if (!passable[map.index(column, row)] || (centre - position).norm() > reach) continue;
+      if (is_open_between(map, position, centre)) found.push_back({column, row});
     }
-  return best;
+  return found;
 }
 
-std::vector<double> wavefront(const OccupancyGrid& map, const std::vector<bool>& passable, Cell start) {
+std::vector<double> wavefront(const OccupancyGrid& map, const std::vector<bool>& passable,
+                              const std::vector<Cell>& starts) {
   std::vector<double> length(map.cells.size(), kUnreached);
   using Open = std::pair<double, std::size_t>;
   std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
-  length[map.index(start.column, start.row)] = 0.0;
-  open.emplace(0.0, map.index(start.column, start.row));
+  for (const Cell start : starts) {
+    length[map.index(start.column, start.row)] = 0.0;
+    open.emplace(0.0, map.index(start.column, start.row));
+  }
   const auto width = static_cast<std::size_t>(map.width);
   while (!open.empty()) {
     const auto [so_far, at] = open.top();

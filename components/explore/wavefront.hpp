@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include "components/model/obstacle_rule.hpp"
@@ -26,15 +25,18 @@ void for_neighbours(const OccupancyGrid& map, Cell at, Each each) {
       if (row != at.row || column != at.column) each(Cell{column, row});
 }
 
-/// Known free cells on whose centre a disc of `radius` [m] touches nothing that `rule` blocks. Row-major, as `map`.
+/// Known free cells on whose centre a disc of `radius` [m] touches no cell that `rule` blocks. Row-major, as `map`. Cells
+/// count as the global planner has them, half a cell around their middles.
 std::vector<bool> cells_for_disc(const OccupancyGrid& map, double radius, const ObstacleRule& rule);
 
-/// The `passable` cell whose centre is nearest to a position, at most `reach` [m] away.
-std::optional<Cell> nearest_cell(const OccupancyGrid& map, const std::vector<bool>& passable,
-                                 const Vector2& position, double reach);
+/// The `passable` cells that a robot at `position` stands on or can come onto: its own, or else all within `reach` [m] with
+/// nothing occupied in between.
+std::vector<Cell> cells_beside(const OccupancyGrid& map, const std::vector<bool>& passable,
+                               const Vector2& position, double reach);
 
-/// Length [m] of the shortest way from `start` to each cell over `passable` ones, diagonal steps included; kUnreached
-/// where there is none.
-std::vector<double> wavefront(const OccupancyGrid& map, const std::vector<bool>& passable, Cell start);
+/// Length [m] of the shortest way from the nearest of `starts` to each cell over `passable` ones, diagonal steps included;
+/// kUnreached where there is none.
+std::vector<double> wavefront(const OccupancyGrid& map, const std::vector<bool>& passable,
+                              const std::vector<Cell>& starts);
 
 }  // namespace bw::explore

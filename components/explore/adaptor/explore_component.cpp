@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <bandwagon_msgs/msg/navigation_status.hpp>
@@ -43,6 +44,7 @@ constexpr Duration kOldestPose = Duration::milliseconds(1000);
 constexpr double kSize = 0.25;  // [m] of a marker
 constexpr Color kFrontierColor{0.0F, 0.45F, 0.70F, 0.9F};
 constexpr Color kLeft{0.84F, 0.37F, 0.0F, 0.9F};
+constexpr std::string_view kNoPose = "odometry/filtered does not say where the robot is";
 constexpr std::size_t kMostTold = 10;  // frontiers in a status
 
 }  // namespace
@@ -130,7 +132,8 @@ class ExploreComponent final : public Component {
     } else if (const std::optional<Pose2> X_MB = pose(tick.now)) {
       explorer_.resume(*X_MB);
     } else {
-      log_.warn("does not explore: odometry/filtered does not say where the robot is");
+      waits_for_ = kNoPose;
+      return tell();
     }
     waits_for_.clear();
     tell();
@@ -143,7 +146,8 @@ class ExploreComponent final : public Component {
     if (state != ExploreState::exploring && state != ExploreState::returning) return;
     const std::optional<Pose2> X_MB = pose(tick.now);
     waits_for_ = reason_to_wait(X_MB.has_value(), tick.now);
-    if (!waits_for_.empty() || (!is_new_map_ && !explorer_.is_idle())) return;
+    if (!waits_for_.empty()) return tell();
+    if (!is_new_map_ && !explorer_.is_idle()) return tell();
     is_new_map_ = false;
     const explore::FrontierSearch search =
         explore::find_frontiers(grid_, X_MB->position(), {.radius = footprint_.now().radius});
@@ -156,7 +160,7 @@ class ExploreComponent final : public Component {
 
   std::string reason_to_wait(bool has_pose, Time now) const {
     if (grid_.cells.empty()) return "there is no map yet";
-    if (!has_pose) return "odometry/filtered does not say where the robot is";
+    if (!has_pose) return std::string(kNoPose);
     if (!is_ready_()) return "nobody offers navigate_to_pose";
     // A goal in hand waits with the base; a new one would be refused.
     if (const auto stop = base_.at(now); stop && !goal_) return in_words(*stop);
@@ -209,9 +213,11 @@ class ExploreComponent final : public Component {
     return text;
   }
 
-  /// On the topic when the state is another.
+  /// On the topic when the state is another, or what it waits for.
   void tell() {
-    if (std::exchange(told_, explorer_.state()) == explorer_.state()) return;
+    std::pair news{explorer_.state(), waits_for_};
+    if (told_ == news) return;
+    told_ = std::move(news);
     std_msgs::msg::String message;
     message.data(status_text());
     status_.publish(message);
@@ -264,7 +270,7 @@ class ExploreComponent final : public Component {
   std::optional<GoalId> goal_;      ///< in hand
   std::optional<GoalId> canceled_;  ///< and has not ended yet
   explore::Explorer explorer_;
-  std::optional<ExploreState> told_;
+  std::optional<std::pair<ExploreState, std::string>> told_;
 };
 
 BW_COMPONENT(ExploreComponent, "explore")

@@ -25,6 +25,13 @@ Explorer begun(ExplorerOptions options = {.gain_scale = 0.5, .hysteresis = 2.0, 
   return explorer;
 }
 
+/// Nothing is left only after three looks.
+ExploreStep third_look(Explorer& explorer, const FrontierSearch& found) {
+  EXPECT_FALSE(explorer.look(found).goal);
+  EXPECT_FALSE(explorer.look(found).goal);
+  return explorer.look(found);
+}
+
 double goal_x(const ExploreStep& step) { return step.goal ? step.goal->x : -1.0; }
 
 TEST(Explorer, IsPausedUntilItIsTold) {
@@ -71,7 +78,7 @@ TEST(Explorer, AFailureIsTriedAgainOnceWhenNothingElseIsLeft) {
   const FrontierSearch one = search({frontier(5.0, 5.0)});
   EXPECT_DOUBLE_EQ(goal_x(explorer.look(one)), 4.7);  // the second chance
   explorer.goal_ended(GoalEnd::failed, "blocked again");
-  const ExploreStep step = explorer.look(one);
+  const ExploreStep step = third_look(explorer, one);
   EXPECT_EQ(explorer.state(), ExploreState::returning);
   ASSERT_TRUE(step.goal);
   EXPECT_EQ(step.goal->x, kStart.x);
@@ -100,20 +107,31 @@ TEST(Explorer, AFrontierThatStaysThoughTheRobotStandsBeforeItIsLeft) {
     EXPECT_FALSE(explorer.look(one).goal);  // the map may be of a moment before
     EXPECT_FALSE(explorer.look(one).goal);
   }
-  explorer.look(one);
+  third_look(explorer, one);
   EXPECT_EQ(explorer.state(), ExploreState::complete);
   EXPECT_EQ(explorer.left().size(), 1U);
 }
 
+TEST(Explorer, AMomentWithoutFrontiersIsNoEnd) {
+  Explorer explorer = begun();
+  explorer.look(search({frontier(5.0, 5.0)}));
+  EXPECT_FALSE(explorer.look(search({})).goal);
+  EXPECT_TRUE(explorer.is_idle());                                 // and looks again at once
+  EXPECT_FALSE(explorer.look(search({frontier(5.0, 5.0)})).goal);  // it drives there still
+  EXPECT_FALSE(explorer.look(search({})).goal);
+  EXPECT_FALSE(explorer.look(search({})).goal);
+  EXPECT_EQ(explorer.state(), ExploreState::exploring);
+}
+
 TEST(Explorer, ReturnsAndIsComplete) {
   Explorer explorer = begun();
-  const ExploreStep step = explorer.look(search({}));
+  const ExploreStep step = third_look(explorer, search({}));
   EXPECT_EQ(goal_x(step), kStart.x);
   EXPECT_EQ(explorer.state(), ExploreState::returning);
   // Something new on the way comes first.
   EXPECT_DOUBLE_EQ(goal_x(explorer.look(search({frontier(5.0, 5.0)}))), 4.7);
   EXPECT_EQ(explorer.state(), ExploreState::exploring);
-  EXPECT_EQ(goal_x(explorer.look(search({}))), kStart.x);
+  EXPECT_EQ(goal_x(third_look(explorer, search({}))), kStart.x);
   explorer.goal_ended(GoalEnd::reached, "");
   EXPECT_EQ(explorer.state(), ExploreState::complete);
   EXPECT_TRUE(explorer.left().empty());
@@ -122,7 +140,7 @@ TEST(Explorer, ReturnsAndIsComplete) {
 TEST(Explorer, CancelsWhenItIsCompleteOrPausedOnTheWay) {
   Explorer explorer = begun({.return_to_init = false});
   explorer.look(search({frontier(5.0, 5.0)}));
-  const ExploreStep step = explorer.look(search({}));
+  const ExploreStep step = third_look(explorer, search({}));
   EXPECT_TRUE(step.cancels);
   EXPECT_EQ(explorer.state(), ExploreState::complete);
 
@@ -133,12 +151,12 @@ TEST(Explorer, CancelsWhenItIsCompleteOrPausedOnTheWay) {
   EXPECT_FALSE(paused.look(search({frontier(5.0, 5.0)})).goal);
   paused.resume({});
   EXPECT_DOUBLE_EQ(goal_x(paused.look(search({frontier(5.0, 5.0)}))), 4.7);
-  EXPECT_EQ(goal_x(paused.look(search({}))), kStart.x);  // where it began, not where it went on
+  EXPECT_EQ(goal_x(third_look(paused, search({}))), kStart.x);  // where it began, not where it went on
 }
 
 TEST(Explorer, AfterItIsCompleteItBeginsAnew) {
   Explorer explorer = begun({.return_to_init = false});
-  explorer.look(search({}));
+  third_look(explorer, search({}));
   ASSERT_EQ(explorer.state(), ExploreState::complete);
   explorer.resume({});
   EXPECT_EQ(explorer.state(), ExploreState::exploring);

@@ -1,5 +1,5 @@
 // Frontiers of small maps whose numbers are reckoned by hand. The robot is a disc of 0.2 m, so that centres of cells
-// must be 0.275 m apart from those of obstacles (0.75 cells more).
+// must be 0.25 m apart from those of obstacles, which are half a cell around them.
 #include "components/explore/frontier_search.hpp"
 
 #include <cmath>
@@ -21,19 +21,29 @@ const Vector2 kStand{1.05, 1.45};
 TEST(Wavefront, GoesStraightAndDiagonally) {
   const OccupancyGrid map = closed_room();
   const std::vector<bool> fits = cells_for_disc(map, 0.2, {.unknown_is_obstacle = true});
-  const auto start = nearest_cell(map, fits, {1.0 + 0.05, 1.0 + 0.05}, 0.5);
-  ASSERT_TRUE(start);
-  const std::vector<double> length = wavefront(map, fits, *start);
+  const std::vector<Cell> start = cells_beside(map, fits, {1.05, 1.05}, 0.5);
+  ASSERT_EQ(start.size(), 1U);
+  const std::vector<double> length = wavefront(map, fits, start);
   // 10 cells along x and 5 along y: five diagonal steps and five straight ones.
-  const Cell end{start->column + 10, start->row + 5};
+  const Cell end{start[0].column + 10, start[0].row + 5};
   EXPECT_NEAR(length[map.index(end.column, end.row)], 0.1 * (5.0 + 5.0 * std::sqrt(2.0)), 1e-12);
   // The first cell in which the disc fits is 0.3 m from the middle of the wall: three cells in.
   EXPECT_FALSE(fits[map.index(map.column_of(0.15), map.row_of(1.05))]);
   EXPECT_TRUE(fits[map.index(map.column_of(0.25), map.row_of(1.05))]);
 }
 
+TEST(Wavefront, BeginsBesideARobotThatStandsTooNearToAWall) {
+  // At 0.15 from a wall whose cells' middles are at -0.05: the cells from 0.25 on fit. Behind the wall there are others.
+  OccupancyGrid map = closed_room();
+  fill(map, -10, 0, -1, 30, OccupancyGrid::kFree);
+  const std::vector<bool> fits = cells_for_disc(map, 0.2, {.unknown_is_obstacle = true});
+  const std::vector<Cell> start = cells_beside(map, fits, {0.15, 1.45}, 0.5);
+  ASSERT_FALSE(start.empty());
+  for (const Cell cell : start) EXPECT_GT(map.center(cell.column, cell.row).x(), 0.2);
+}
+
 TEST(Frontiers, ADoor) {
-  // A door of 1 m from y = 1 to 2: of its ten cells those from 1.25 to 1.75 are 0.275 m or more from the posts at 0.95
+  // A door of 1 m from y = 1 to 2: of its ten cells those from 1.25 to 1.75 are 0.25 m or more from the posts at 0.95
   // and 2.05, six of them.
   const FrontierSearch search = find_frontiers(room_with_door(10, 20), kStand, kRobot);
   EXPECT_TRUE(search.is_placed);
@@ -43,7 +53,7 @@ TEST(Frontiers, ADoor) {
   EXPECT_NEAR(door.length, 0.6, 1e-9);
   EXPECT_NEAR(door.centre.x(), 4.05, 1e-9);
   EXPECT_NEAR(door.centre.y(), 1.45, 1e-9);
-  // What is unknown begins with the cells at 4.15: the last ones 0.275 m before are at 3.85. 28 cells to go.
+  // What is unknown begins with the cells at 4.15: the last ones 0.25 m before are at 3.85. 28 cells to go.
   EXPECT_NEAR(door.goal.x, 3.85, 1e-9);
   EXPECT_NEAR(door.goal.y, 1.45, 1e-9);
   EXPECT_NEAR(door.goal.theta, 0.0, 1e-9);
@@ -51,7 +61,7 @@ TEST(Frontiers, ADoor) {
 }
 
 TEST(Frontiers, AGapNarrowerThanTheRobotIsNone) {
-  // 0.4 m: posts at 1.25 and 1.75, no cell between them is 0.275 m from both. One cell more, and the middle is 0.3 m.
+  // 0.4 m: posts at 1.25 and 1.75, no cell between them is 0.25 m from both. One cell more, and the middle is 0.3 m.
   EXPECT_TRUE(find_frontiers(room_with_door(13, 17), kStand, kRobot).frontiers.empty());
   EXPECT_TRUE(find_frontiers(room_with_door(13, 17), kStand, kRobot).out_of_reach.empty());
   EXPECT_EQ(find_frontiers(room_with_door(13, 18), kStand, kRobot).frontiers.size(), 1U);

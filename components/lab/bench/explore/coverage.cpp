@@ -1,34 +1,26 @@
 #include "components/lab/bench/explore/coverage.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <stdexcept>
 
 #include "components/lab/bench/buildings/known_map.hpp"
+#include "components/lab/bench/explore/growing_map.hpp"
 
 namespace bw {
 namespace {
 
 constexpr double kBeside = 0.5;  // [m] from the start to where the robot fits
 constexpr double kSeen = 0.995;
-constexpr int kRays = 1440;
 
 using explore::Cell;
 
 class Tour {
  public:
-  Tour(const Explorable& place, double range)
-      : place_(place), reach_(range / place.truth.resolution), is_seen_(place.cells.size(), false) {
-    to_see_ = static_cast<std::size_t>(std::ranges::count(place.cells, true));
-    at_ = place.start;
-  }
+  Tour(const Explorable& place, double range) : place_(place), seen_(place, range), at_(place.start) {}
 
   double length() {
-    look();
-    const auto enough = static_cast<std::size_t>(kSeen * static_cast<double>(to_see_));
-    while (seen_ < enough) go_to(explore::wavefront(place_.truth, place_.cells, at_));
+    seen_.look(at_);
+    while (seen_.share() < kSeen) go_to(explore::wavefront(place_.truth, place_.cells, {at_}));
     return length_;
   }
 
@@ -36,31 +28,12 @@ class Tour {
   const OccupancyGrid& map() const { return place_.truth; }
   std::size_t index(Cell c) const { return map().index(c.column, c.row); }
 
-  void look() {
-    for (int k = 0; k < kRays; ++k) {
-      const double angle = 2.0 * std::numbers::pi * k / kRays;
-      const double dx = 0.5 * std::cos(angle);
-      const double dy = 0.5 * std::sin(angle);
-      double x = at_.column + 0.5;
-      double y = at_.row + 0.5;
-      for (double along = 0.0; along <= reach_; along += 0.5, x += dx, y += dy) {
-        const Cell cell{static_cast<int>(x), static_cast<int>(y)};
-        if (!map().contains(cell.column, cell.row)) break;
-        const std::size_t i = index(cell);
-        if (map().cells[i] != OccupancyGrid::kFree) break;
-        if (is_seen_[i]) continue;
-        is_seen_[i] = true;
-        if (place_.cells[i]) ++seen_;
-      }
-    }
-  }
-
   // Along the shortest way to the nearest cell that was not seen, until it is.
   void go_to(const std::vector<double>& length) {
     std::size_t target = 0;
     double nearest = explore::kUnreached;
     for (std::size_t i = 0; i < length.size(); ++i) {
-      if (is_seen_[i] || length[i] >= nearest) continue;
+      if (seen_.is_known(i) || length[i] >= nearest) continue;
       nearest = length[i];
       target = i;
     }
@@ -75,18 +48,15 @@ class Tour {
       way.push_back(next);
     }
     const double whole = length_;
-    for (std::size_t k = way.size() - 1; k-- > 0 && !is_seen_[target];) {
+    for (std::size_t k = way.size() - 1; k-- > 0 && !seen_.is_known(target);) {
       at_ = way[k];
       length_ = whole + length[index(at_)];
-      look();
+      seen_.look(at_);
     }
   }
 
   const Explorable& place_;
-  double reach_;  // [cells]
-  std::vector<bool> is_seen_;
-  std::size_t to_see_ = 0;
-  std::size_t seen_ = 0;  // of them
+  GrowingMap seen_;
   Cell at_;
   double length_ = 0.0;
 };
@@ -97,10 +67,10 @@ Explorable explorable(const buildings::Building& building, double radius, double
   Explorable place;
   place.truth = buildings::known_map(building, resolution);
   const std::vector<bool> fits = explore::cells_for_disc(place.truth, radius, {.unknown_is_obstacle = true});
-  const auto start = explore::nearest_cell(place.truth, fits, building.route.front(), kBeside);
-  if (!start) throw std::runtime_error(building.name + ": the robot does not fit where it starts");
-  place.start = *start;
-  const std::vector<double> length = explore::wavefront(place.truth, fits, *start);
+  const auto start = explore::cells_beside(place.truth, fits, building.route.front(), kBeside);
+  if (start.empty()) throw std::runtime_error(building.name + ": the robot does not fit where it starts");
+  place.start = start.front();
+  const std::vector<double> length = explore::wavefront(place.truth, fits, {place.start});
   place.cells.assign(length.size(), false);
   for (std::size_t i = 0; i < length.size(); ++i) place.cells[i] = length[i] < explore::kUnreached;
   return place;
