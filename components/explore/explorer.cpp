@@ -5,15 +5,16 @@
 namespace bw::explore {
 namespace {
 
-constexpr double kSameFrontier = 0.5;  // [m] between centres, from one map to the next
+// [m] between centres of a frontier from one map to the next, and between goals that are not worth a new one.
+constexpr double kSame = 0.5;
 
-constexpr int kLooks = 3;  // until a frontier that was reached is for nothing
+// Until a frontier that was reached is for nothing, and until nothing is left: the map may be of a moment before.
+constexpr int kLooks = 3;
 
-bool are_near(const Vector2& a, const Vector2& b) { return (a - b).norm() <= kSameFrontier; }
+constexpr std::string_view kNothingSeen = "nothing more of it is seen from before it";
+constexpr std::string_view kOutOfReach = "no known free ground leads to it";
 
-bool holds(const std::vector<Vector2>& list, const Vector2& place) {
-  return std::ranges::any_of(list, [&](const Vector2& other) { return are_near(other, place); });
-}
+bool are_near(const Vector2& a, const Vector2& b) { return (a - b).norm() <= kSame; }
 
 }  // namespace
 
@@ -34,8 +35,7 @@ std::string_view to_string(ExploreState state) {
 void Explorer::resume(const Pose2& robot) {
   if (state_ == ExploreState::exploring || state_ == ExploreState::returning) return;
   if (state_ == ExploreState::complete || !start_) {
-    const ExplorerOptions options = options_;
-    *this = Explorer(options);
+    *this = Explorer(options_);
     start_ = robot;
   }
   state_ = ExploreState::exploring;
@@ -49,71 +49,106 @@ ExploreStep Explorer::pause() {
 }
 
 ExploreStep Explorer::look(const FrontierSearch& search) {
-  if (state_ != ExploreState::exploring || !search.is_placed) return {};
-  if (reached_) {
-    const bool is_there = std::ranges::any_of(
-        search.frontiers, [&](const Frontier& f) { return are_near(f.centre, *reached_); });
-    // The map may be of a moment before the robot stood there.
-    if (is_there && ++looks_since_ < kLooks) return {};
-    if (is_there) useless_.push_back(*reached_);
-    reached_.reset();
-  }
-  given_up_ = search.out_of_reach.size() +
-              static_cast<std::size_t>(std::ranges::count_if(
-                  search.frontiers, [&](const Frontier& f) { return is_blacklisted(f); }));
-  if (target_ &&
-      std::ranges::any_of(search.frontiers, [&](const Frontier& f) { return are_near(f.centre, *target_); }))
-    return {};
-  const bool had_target = target_.has_value();
-  target_.reset();
+  const bool looks = state_ == ExploreState::exploring || state_ == ExploreState::returning;
+  if (!looks || !search.is_placed || stands_before_it(search.frontiers)) return {};
   const Frontier* next = best(search.frontiers);
-  if (next == nullptr && !second_chance_ && !failures_.empty()) {
+  if (next == nullptr && !second_chance_ && !blacklist_.empty()) {
     second_chance_ = true;
-    failures_.clear();
     next = best(search.frontiers);
   }
-  if (next != nullptr) {
-    target_ = next->centre;
-    ++goals_;
-    return {.cancels = false, .goal = next->goal};
-  }
-  if (options_.return_to_init) {
-    state_ = ExploreState::returning;
-    ++goals_;
-    return {.cancels = false, .goal = start_};
-  }
-  state_ = ExploreState::complete;
-  return {.cancels = had_target, .goal = std::nullopt};
+  take_stock(search);
+  if (next == nullptr) return ++empty_looks_ < kLooks ? ExploreStep{} : nothing_left();
+  empty_looks_ = 0;
+  const bool is_driven_to = target_ && are_near(next->goal.position(), goal_.position());
+  state_ = ExploreState::exploring;
+  target_ = next->centre;
+  if (is_driven_to) return {};
+  goal_ = next->goal;
+  ++goals_;
+  return {.cancels = false, .goal = goal_};
 }
 
-void Explorer::goal_ended(bool reached) {
-  if (!reached) ++failed_;
-  if (state_ == ExploreState::returning) state_ = ExploreState::complete;
+void Explorer::goal_ended(GoalEnd end, const std::string& why) {
+  if (end == GoalEnd::failed) ++failed_;
+  if (state_ == ExploreState::returning && end != GoalEnd::dropped) state_ = ExploreState::complete;
+  if (state_ == ExploreState::returning)
+    state_ = ExploreState::exploring;  // and it sees that nothing is left
   if (!target_) return;
-  if (reached) {
+  if (end == GoalEnd::reached) {
     reached_ = target_;
-    looks_since_ = 0;
-  } else {
-    (second_chance_ ? useless_ : failures_).push_back(*target_);
+    looks_ = 0;
+  } else if (end == GoalEnd::failed) {
+    blacklist(*target_, std::string("not reached: ").append(why));
   }
   target_.reset();
 }
 
-bool Explorer::is_blacklisted(const Frontier& frontier) const {
-  return holds(failures_, frontier.centre) || holds(useless_, frontier.centre);
+// True while it cannot be told yet whether the frontier before which the robot stands has vanished.
+bool Explorer::stands_before_it(const std::vector<Frontier>& frontiers) {
+  if (!reached_) return false;
+  const bool is_there =
+      std::ranges::any_of(frontiers, [&](const Frontier& f) { return are_near(f.centre, *reached_); });
+  if (is_there && ++looks_ < kLooks) return true;
+  if (is_there) blacklist(*reached_, "nothing more of it is seen from before it");
+  reached_.reset();
+  return false;
+}
+
+void Explorer::blacklist(const Vector2& place, const std::string& why) {
+  const auto known = std::ranges::find_if(
+      blacklist_, [&](const Failure& failure) { return are_near(failure.place, place); });
+  if (known == blacklist_.end()) {
+    blacklist_.push_back({.place = place, .why = why, .times = second_chance_ ? 2 : 1});
+  } else {
+    ++known->times;
+    known->why = why;
+  }
+}
+
+const Explorer::Failure* Explorer::blacklisted(const Frontier& frontier) const {
+  const int allowed = second_chance_ ? 1 : 0;
+  const auto found = std::ranges::find_if(blacklist_, [&](const Failure& failure) {
+    return failure.times > allowed && are_near(failure.place, frontier.centre);
+  });
+  return found == blacklist_.end() ? nullptr : &*found;
 }
 
 const Frontier* Explorer::best(const std::vector<Frontier>& frontiers) const {
   const Frontier* best = nullptr;
   double least = 0.0;
   for (const Frontier& frontier : frontiers) {
-    if (is_blacklisted(frontier)) continue;
-    const double cost = frontier.path_length - options_.gain_scale * frontier.length;
+    if (blacklisted(frontier) != nullptr) continue;
+    double cost = frontier.path_length - options_.gain_scale * frontier.length;
+    if (target_ && are_near(frontier.centre, *target_)) cost -= options_.hysteresis;
     if (best != nullptr && cost >= least) continue;
     best = &frontier;
     least = cost;
   }
   return best;
+}
+
+void Explorer::take_stock(const FrontierSearch& search) {
+  left_.clear();
+  for (const Frontier& frontier : search.frontiers)
+    if (const Failure* failure = blacklisted(frontier)) left_.push_back({frontier.centre, failure->why});
+  for (const Vector2& centre : search.out_of_reach) {
+    LeftFrontier& frontier = left_.emplace_back();
+    frontier.centre = centre;
+    frontier.why = kOutOfReach;
+  }
+}
+
+ExploreStep Explorer::nothing_left() {
+  if (state_ == ExploreState::returning) return {};
+  const bool drives = target_.has_value();
+  target_.reset();
+  if (!options_.return_to_init) {
+    state_ = ExploreState::complete;
+    return {.cancels = drives, .goal = std::nullopt};
+  }
+  state_ = ExploreState::returning;
+  ++goals_;
+  return {.cancels = false, .goal = start_};
 }
 
 }  // namespace bw::explore

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -20,8 +21,9 @@ enum class ExploreState : std::uint8_t {
 std::string_view to_string(ExploreState state);
 
 struct ExplorerOptions {
-  double gain_scale = 1.0;     ///< [m] of path that a metre of frontier is worth
-  bool return_to_init = true;  ///< when it is complete
+  double gain_scale = 0.1;     ///< [m] of path that a metre of frontier is worth
+  double hysteresis = 2.0;     ///< another frontier must cost so much less than the one in hand [m]
+  bool return_to_init = true;  ///< when nothing is left
 };
 
 /// What is to be done with the goal.
@@ -30,42 +32,68 @@ struct ExploreStep {
   std::optional<Pose2> goal;  ///< takes the place of what was driven to
 };
 
+/// How a goal ended.
+enum class GoalEnd : std::uint8_t {
+  reached,
+  failed,
+  dropped  ///< by a fault of the robot, which says nothing of the frontier: it did not know where it was, it was held
+};
+
+/// A frontier that nobody drives to any more.
+struct LeftFrontier {
+  Vector2 centre{0.0, 0.0};
+  std::string why;
+};
+
 class Explorer {
  public:
-  explicit Explorer(const ExplorerOptions& options) : options_(options) {}
+  explicit Explorer(const ExplorerOptions& options = {}) : options_(options) {}
 
   /// Begins, or goes on; after it was complete it begins anew. `robot`: where it returns to, when it begins.
   void resume(const Pose2& robot);
   /// Stops until resume().
   ExploreStep pause();
 
-  /// With each map, and once a second without a goal: a goal is given up when its frontier has vanished. Nothing while
-  /// paused or complete.
+  /// With each map, and once a second without a goal in hand: the cheapest frontier is driven to, and another one as
+  /// soon as that has vanished or is dearer by the hysteresis. Nothing while paused or complete.
   ExploreStep look(const FrontierSearch& search);
   /// The goal of the last step ended. A frontier that was not reached, or that is still there though the robot stood
-  /// before it, is put on the blacklist; what was not reached gets a second chance when nothing else is left.
-  void goal_ended(bool reached);
+  /// before it, comes onto the blacklist. When nothing else is left, all on it get a second chance, once.
+  void goal_ended(GoalEnd end, const std::string& why);
 
   ExploreState state() const { return state_; }
-  /// Of the search that was looked at: frontiers that are left out, by the blacklist or out of reach.
-  std::size_t given_up() const { return given_up_; }
+  /// Looks for a frontier to drive to, or whether none is left.
+  bool is_idle() const { return state_ == ExploreState::exploring && (!target_ || empty_looks_ > 0); }
+  /// Of the search that was looked at: frontiers that are on the blacklist or out of reach, and why.
+  const std::vector<LeftFrontier>& left() const { return left_; }
   std::size_t goals() const { return goals_; }    ///< that were sent
   std::size_t failed() const { return failed_; }  ///< of these, that were not reached
 
  private:
-  bool is_blacklisted(const Frontier& frontier) const;
+  struct Failure {
+    Vector2 place{0.0, 0.0};
+    std::string why;
+    int times = 1;
+  };
+
+  bool stands_before_it(const std::vector<Frontier>& frontiers);
+  void blacklist(const Vector2& place, const std::string& why);
+  const Failure* blacklisted(const Frontier& frontier) const;
   const Frontier* best(const std::vector<Frontier>& frontiers) const;
+  void take_stock(const FrontierSearch& search);
+  ExploreStep nothing_left();
 
   ExplorerOptions options_;
   ExploreState state_ = ExploreState::paused;
   std::optional<Pose2> start_;
   std::optional<Vector2> target_;   ///< centre of the frontier that is driven to
-  std::optional<Vector2> reached_;  ///< of the last one; once it is seen again it is for nothing
-  int looks_since_ = 0;             ///< since it was reached
-  std::vector<Vector2> failures_;   ///< not reached
-  std::vector<Vector2> useless_;    ///< reached, and still there; or failed twice
-  bool second_chance_ = false;      ///< was given
-  std::size_t given_up_ = 0;
+  Pose2 goal_;                      ///< that was sent for it
+  std::optional<Vector2> reached_;  ///< the frontier before which the robot stands
+  int looks_ = 0;                   ///< since then
+  int empty_looks_ = 0;             ///< one after the other, with nothing to drive to
+  std::vector<Failure> blacklist_;
+  bool second_chance_ = false;  ///< was given
+  std::vector<LeftFrontier> left_;
   std::size_t goals_ = 0;
   std::size_t failed_ = 0;
 };

@@ -6,11 +6,7 @@ map_walls=$3
 
 mkdir "$folder/maps"
 up --slam --set "slam.folder=$folder/maps"
-answers 'success: true' service call /explore/enable '{data: true}'
-for ((i = 0; i < 60; i++)); do
-  ! "$program" topic echo /explore/status --once --for 2 | grep -q exploration_complete || break
-done
-((i < 60)) || fail "exploring is not complete: $("$program" topic echo /explore/status --once --for 2)"
+answers exploration_complete explore
 answers 'result: 0' service call /slam_toolbox/save_map '{name: {data: home}}'
 down
 for file in home.yaml home.pgm; do [[ -s $folder/maps/$file ]] || fail "$file is not there"; done

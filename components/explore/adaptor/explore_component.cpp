@@ -1,18 +1,23 @@
 // Adaptor of exploring: follows the map, drives to its frontiers by navigate_to_pose. Topics: README.md.
-#include <memory>
+#include "components/explore/adaptor/explore_component.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
+#include <bandwagon_msgs/msg/navigation_status.hpp>
 #include <fmt/format.h>
 #include <nav_msgs/msg/occupancy_grid.hpp>
 #include <nav_msgs/msg/odometry.hpp>
 #include <std_msgs/msg/bool.hpp>
 #include <std_msgs/msg/string.hpp>
-#include <std_srvs/srv/set_bool.hpp>
 #include <visualization_msgs/msg/marker_array.hpp>
 
-#include "components/explore/explorer.hpp"
+#include "components/messages/base_stop_source.hpp"
 #include "components/messages/current_footprint.hpp"
 #include "components/messages/geometry.hpp"
 #include "components/messages/grid.hpp"
@@ -21,6 +26,7 @@
 #include "components/messages/nav2_layouts.hpp"
 #include "components/messages/nav2_results.hpp"
 #include "components/model/robot.hpp"
+#include "runtime/complaint.hpp"
 #include "runtime/component.hpp"
 
 namespace bw {
@@ -28,6 +34,7 @@ namespace {
 
 using explore::ExploreState;
 using explore::ExploreStep;
+using explore::GoalEnd;
 using visualization_msgs::msg::Marker;
 using visualization_msgs::msg::MarkerArray;
 
@@ -36,45 +43,31 @@ constexpr Duration kPatience = Duration::milliseconds(1000);  // for a goal to b
 constexpr Duration kOldestPose = Duration::milliseconds(1000);
 constexpr double kSize = 0.25;  // [m] of a marker
 constexpr Color kFrontierColor{0.0F, 0.45F, 0.70F, 0.9F};
-constexpr Color kTooFar{0.84F, 0.37F, 0.0F, 0.9F};
-
-/// How a goal ended, for the explorer.
-enum class GoalEnd { reached, failed, taken_over };
+constexpr Color kLeft{0.84F, 0.37F, 0.0F, 0.9F};
+constexpr std::string_view kNoPose = "odometry/filtered does not say where the robot is";
+constexpr std::size_t kMostTold = 10;  // frontiers in a status
 
 }  // namespace
 
 class ExploreComponent final : public Component {
  public:
+  explicit ExploreComponent(const explore::ExplorerOptions& options = {}) : explorer_(options) {}
+
   void configure(Setup& setup) override {
     log_ = setup.log();
     diagnostics_ = &setup.diagnostics();
     footprint_.listen(setup, setup.shared<Robot>("robot"));
     odometry_ = setup.latest<nav_msgs::msg::Odometry>("odometry/filtered", Qos::command());
+    base_.listen(setup);
+    navigation_ = setup.latest<bandwagon_msgs::msg::NavigationStatus>("navigation_status", Qos::standard(),
+                                                                      Need::optional);
     status_ = setup.output<std_msgs::msg::String>("explore/status", Qos::latched());
     frontiers_ = setup.output<MarkerArray>("explore/frontiers", Qos::latched());
-    listen_to_map(setup, [this](const nav_msgs::msg::OccupancyGrid& message, const Tick&) {
-      map_ = message;
-      is_new_map_ = true;
-    });
+    listen_to_map(setup, [this](const nav_msgs::msg::OccupancyGrid& map, const Tick&) { take(map); });
     setup.input<std_msgs::msg::Bool>(
         "explore/resume", Qos::standard(),
-        [this](const std_msgs::msg::Bool& message, const Tick& tick) {
-          const std::string fault = on_resume(message.data(), tick);
-          if (!fault.empty()) log_.warn("does not explore: {}", fault);
-        },
+        [this](const std_msgs::msg::Bool& message, const Tick& tick) { on_resume(message.data(), tick); },
         Need::optional);
-    const auto answer = [](const std::string& fault) {
-      std_srvs::srv::SetBool::Response response;
-      response.success(fault.empty());
-      response.message(fault);
-      return response;
-    };
-    setup.service<std_srvs::srv::SetBool>(
-        "explore/enable",
-        [this, answer](const std_srvs::srv::SetBool::Request& request, const Tick& tick) {
-          return answer(on_resume(request.data(), tick));
-        },
-        answer);
     with_nav2_layout(setup.ros_distro(),
                      [&](auto layout) { declare_client<typename decltype(layout)::NavigateToPose>(setup); });
     setup.every(kEvery, "explore", [this](const Tick& tick) { look(tick); });
@@ -93,21 +86,38 @@ class ExploreComponent final : public Component {
     send_ = [this, client](const geometry_msgs::msg::PoseStamped& pose) {
       typename Action::Goal goal;
       goal.pose(pose);
+      const std::uint64_t number = ++number_;
       return client.send(
           goal, kPatience,
           {.on_acknowledged =
-               [this](bool accepted, const Tick&) {
-                 if (!accepted) end_goal(GoalEnd::failed, "it was not accepted");
+               [this, number](bool accepted, const Tick& tick) {
+                 if (!accepted) end_goal(number, GoalEnd::failed, "it was not accepted", tick.now);
                },
            .on_result =
-               [this](GoalStatus status, const typename Action::Result* result, const Tick&) {
-                 const std::string text = result == nullptr ? std::string() : error_text_of(*result);
-                 if (status == GoalStatus::succeeded) return end_goal(GoalEnd::reached, text);
-                 // By somebody's hand: whoever cancels the goal, or sets another, wants the robot for himself.
-                 const bool is_taken = status == GoalStatus::canceled || text.starts_with("preempted");
-                 end_goal(is_taken ? GoalEnd::taken_over : GoalEnd::failed, text);
+               [this, number](GoalStatus status, const typename Action::Result* result, const Tick& tick) {
+                 const std::string why = result == nullptr ? "no result came" : error_text_of(*result);
+                 if (number == number_ && goal_ && is_taken_over(status, why)) return hand_over();
+                 end_goal(number, status == GoalStatus::succeeded ? GoalEnd::reached : GoalEnd::failed, why,
+                          tick.now);
                }});
     };
+  }
+
+  /// By somebody's hand: whoever cancels the goal, or sets another, wants the robot for himself. Humble's results have
+  /// no text; there the navigator is heard to drive to something else.
+  bool is_taken_over(GoalStatus status, const std::string& why) const {
+    if (status == GoalStatus::succeeded) return false;
+    namespace statuses = bandwagon_msgs::msg::NavigationStatus_Constants;
+    const bool drives_on = navigation_ && navigation_->status() <= statuses::EXECUTING;
+    return status == GoalStatus::canceled || why.starts_with("preempted") || drives_on;
+  }
+
+  void take(const nav_msgs::msg::OccupancyGrid& map) {
+    const std::string fault = read_grid(map, grid_);
+    if (map_fault_.is_news(fault) && map_fault_) log_.error("a map is not used: {}", fault);
+    if (map_fault_) return;
+    map_frame_ = map.header().frame_id();
+    is_new_map_ = true;
   }
 
   std::optional<Pose2> pose(Time now) const {
@@ -116,82 +126,112 @@ class ExploreComponent final : public Component {
     return is_finite(X_MB) ? std::optional(X_MB) : std::nullopt;
   }
 
-  /// Why it does not explore; empty: it is as was asked.
-  std::string on_resume(bool resume, const Tick& tick) {
-    const std::optional<Pose2> X_MB = pose(tick.now);
-    if (!resume)
+  void on_resume(bool resume, const Tick& tick) {
+    if (!resume) {
       carry_out(explorer_.pause(), tick);
-    else if (!X_MB)
-      return "odometry/filtered does not say where the robot is";
-    else
+    } else if (const std::optional<Pose2> X_MB = pose(tick.now)) {
       explorer_.resume(*X_MB);
-    is_new_map_ = true;
+    } else {
+      waits_for_ = kNoPose;
+      return tell();
+    }
+    waits_for_.clear();
     tell();
-    return {};
   }
 
   void look(const Tick& tick) {
     report();
-    if (explorer_.state() != ExploreState::exploring) return;
-    if (goal_ && !is_new_map_) return;
+    if (canceled_) cancel_(*canceled_);  // it drives on: the navigator may not have heard
+    const ExploreState state = explorer_.state();
+    if (state != ExploreState::exploring && state != ExploreState::returning) return;
     const std::optional<Pose2> X_MB = pose(tick.now);
-    OccupancyGrid map;
-    if (!X_MB || !is_ready_() || !read_grid(map_, map).empty()) return;
+    waits_for_ = reason_to_wait(X_MB.has_value(), tick.now);
+    if (!waits_for_.empty()) return tell();
+    if (!is_new_map_ && !explorer_.is_idle()) return tell();
     is_new_map_ = false;
     const explore::FrontierSearch search =
-        explore::find_frontiers(map, X_MB->position(), {.radius = footprint_.now().radius});
+        explore::find_frontiers(grid_, X_MB->position(), {.radius = footprint_.now().radius});
+    if (!search.is_placed) waits_for_ = "the robot stands on no free ground of the map";
+    const ExploreStep step = explorer_.look(search);
     show(search, tick.now);
-    carry_out(explorer_.look(search), tick);
+    carry_out(step, tick);
     tell();
   }
 
+  std::string reason_to_wait(bool has_pose, Time now) const {
+    if (grid_.cells.empty()) return "there is no map yet";
+    if (!has_pose) return std::string(kNoPose);
+    if (!is_ready_()) return "nobody offers navigate_to_pose";
+    // A goal in hand waits with the base; a new one would be refused.
+    if (const auto stop = base_.at(now); stop && !goal_) return in_words(*stop);
+    return {};
+  }
+
   void carry_out(const ExploreStep& step, const Tick& tick) {
-    if (step.cancels && goal_) cancel_(*goal_);
-    if (goal_ && (step.cancels || step.goal)) {
-      forget_(*goal_);
-      goal_.reset();
+    if (step.cancels && goal_) {
+      canceled_ = std::exchange(goal_, std::nullopt);
+      cancel_(*canceled_);
     }
     if (!step.goal) return;
+    if (goal_) forget_(*goal_);  // the newer one takes its place
+    canceled_.reset();
     geometry_msgs::msg::PoseStamped pose;
-    pose.header(make_header(map_.header().frame_id(), tick.now));
+    pose.header(make_header(map_frame_, tick.now));
     pose.pose(to_pose(*step.goal));
     goal_ = send_(pose);
   }
 
-  void end_goal(GoalEnd end, const std::string& why) {
+  void end_goal(std::uint64_t number, GoalEnd end, const std::string& why, Time now) {
+    if (number != number_) return;
+    canceled_.reset();
+    if (!goal_) return;
     goal_.reset();
-    if (end == GoalEnd::taken_over) {
-      explorer_.pause();
-      log_.warn("paused: somebody took the goal over; `explore/resume` goes on");
-    } else {
-      if (end == GoalEnd::failed) log_.warn("a frontier was not reached: {}", why);
-      explorer_.goal_ended(end == GoalEnd::reached);
-    }
+    const bool is_its_fault = !pose(now) || base_.at(now);
+    if (end == GoalEnd::failed && is_its_fault) end = GoalEnd::dropped;
+    if (end != GoalEnd::reached) log_.warn("a goal was not reached: {}", why);
+    explorer_.goal_ended(end, why);
     tell();
   }
 
-  void tell() {
-    if (std::exchange(told_, explorer_.state()) == explorer_.state()) return;
-    std_msgs::msg::String message;
-    message.data(std::string(to_string(explorer_.state())));
-    status_.publish(message);
-    log_.info("{}; {}", message.data(), summary());
+  void hand_over() {
+    goal_.reset();
+    explorer_.pause();
+    log_.warn("paused: somebody took the robot over; `explore/resume` goes on");
+    tell();
   }
 
-  std::string summary() const {
-    return fmt::format("{} goals, {} of them not reached; {} frontiers given up", explorer_.goals(),
-                       explorer_.failed(), explorer_.given_up());
+  /// State, and what is left: "exploration_complete: 12 goals, 1 not reached; left: (3.2, 4.1) not reached: ...".
+  std::string status_text() const {
+    std::string text = fmt::format("{}: {} goals, {} not reached", to_string(explorer_.state()),
+                                   explorer_.goals(), explorer_.failed());
+    if (!waits_for_.empty()) text += "; waits: " + waits_for_;
+    const auto& left = explorer_.left();
+    for (std::size_t k = 0; k < std::min(left.size(), kMostTold); ++k)
+      text += fmt::format("{} ({:.1f}, {:.1f}) {}", k == 0 ? "; left:" : ";", left[k].centre.x(),
+                          left[k].centre.y(), left[k].why);
+    if (left.size() > kMostTold) text += fmt::format("; and {} more", left.size() - kMostTold);
+    return text;
+  }
+
+  /// On the topic when the state is another, or what it waits for.
+  void tell() {
+    std::pair news{explorer_.state(), waits_for_};
+    if (told_ == news) return;
+    told_ = std::move(news);
+    std_msgs::msg::String message;
+    message.data(status_text());
+    status_.publish(message);
+    log_.info("{}", message.data());
   }
 
   void report() {
     using Level = DiagnosticReporter::Level;
-    const bool is_incomplete = explorer_.state() == ExploreState::complete && explorer_.given_up() > 0;
-    diagnostics_->report(is_incomplete ? Level::warn : Level::ok,
-                         fmt::format("{}: {}", to_string(explorer_.state()), summary()));
+    const bool is_incomplete = explorer_.state() == ExploreState::complete && !explorer_.left().empty();
+    diagnostics_->report(is_incomplete || !waits_for_.empty() ? Level::warn : Level::ok, status_text());
   }
 
   void show(const explore::FrontierSearch& search, Time now) {
-    const std_msgs::msg::Header header = make_header(map_.header().frame_id(), now);
+    const std_msgs::msg::Header header = make_header(map_frame_, now);
     namespace constants = visualization_msgs::msg::Marker_Constants;
     Marker points = make_marker("frontiers", 0, constants::SPHERE_LIST, {}, header);
     points.scale().x(kSize);
@@ -202,7 +242,7 @@ class ExploreComponent final : public Component {
       points.colors().push_back(to_color(color));
     };
     for (const explore::Frontier& frontier : search.frontiers) add(frontier.centre, kFrontierColor);
-    for (const Vector2& centre : search.out_of_reach) add(centre, kTooFar);
+    for (const explore::LeftFrontier& frontier : explorer_.left()) add(frontier.centre, kLeft);
     if (points.points().empty()) points.action(constants::DELETEALL);
     MarkerArray array;
     array.markers().push_back(std::move(points));
@@ -219,13 +259,24 @@ class ExploreComponent final : public Component {
   std::function<GoalId(const geometry_msgs::msg::PoseStamped&)> send_;
   std::function<void(const GoalId&)> cancel_;
   std::function<void(const GoalId&)> forget_;
-  nav_msgs::msg::OccupancyGrid map_;
+  Latest<bandwagon_msgs::msg::NavigationStatus> navigation_;
+  BaseStopSource base_;
+  OccupancyGrid grid_;
+  std::string map_frame_;
+  Complaint map_fault_;
   bool is_new_map_ = false;
-  std::optional<GoalId> goal_;
-  explore::Explorer explorer_{explore::ExplorerOptions{}};
-  std::optional<ExploreState> told_;
+  std::string waits_for_;           ///< empty: for nothing
+  std::uint64_t number_ = 0;        ///< of the newest goal
+  std::optional<GoalId> goal_;      ///< in hand
+  std::optional<GoalId> canceled_;  ///< and has not ended yet
+  explore::Explorer explorer_;
+  std::optional<std::pair<ExploreState, std::string>> told_;
 };
 
 BW_COMPONENT(ExploreComponent, "explore")
+
+std::unique_ptr<Component> make_explore_component(const explore::ExplorerOptions& options) {
+  return std::make_unique<ExploreComponent>(options);
+}
 
 }  // namespace bw

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -236,35 +237,19 @@ void add_relations(cli::Verb bench) {
   verb.run([relations] { return bench_relations(*relations); });
 }
 
-/// `owner` holds `kinds`.
-void add_kinds(cli::Verb verb, const std::shared_ptr<void>& owner,
-               std::vector<buildings::BuildingKind>& kinds) {
+void add_slam(cli::Verb bench) {
+  auto slam = std::make_shared<BenchSlamArguments>();
+  cli::Verb verb = bench.verb("slam", "SLAM in simulated buildings, scored by the exact truth");
   verb.option_function(
           "--kind",
-          [owner, &kinds](const std::string& name) {
-            kinds.clear();
+          [slam](const std::string& name) {
+            slam->kinds.clear();
             for (const buildings::BuildingKind kind : buildings::kBuildingKinds) {
-              if (name == "all" || name == buildings::to_text(kind)) kinds.push_back(kind);
+              if (name == "all" || name == buildings::to_text(kind)) slam->kinds.push_back(kind);
             }
           },
           "office (default), corridors, loop, pillars, warehouse, or all")
       .one_of({"office", "corridors", "loop", "pillars", "warehouse", "all"});
-}
-
-void add_explore(cli::Verb bench) {
-  auto explore = std::make_shared<BenchExploreArguments>();
-  cli::Verb verb = bench.verb("explore", "Exploring simulated buildings, beside a tour that knows them");
-  add_kinds(verb, explore, explore->kinds);
-  verb.option("--seeds", explore->seeds, "Buildings of each kind (1)").within(1, 10000);
-  verb.option("--first", explore->first, "Seed of the first (1)");
-  verb.option("--json", explore->json, "Writes the figures here");
-  verb.run([explore] { return bench_explore(*explore); });
-}
-
-void add_slam(cli::Verb bench) {
-  auto slam = std::make_shared<BenchSlamArguments>();
-  cli::Verb verb = bench.verb("slam", "SLAM in simulated buildings, scored by the exact truth");
-  add_kinds(verb, slam, slam->kinds);
   verb.option("--seeds", slam->seeds, "Buildings of each kind (1)").within(1, 10000);
   verb.option("--first", slam->first, "Seed of the first (1)");
   verb.option("--walkers", slam->drive.walkers, "People who walk about (0)").within(0, 1000);
@@ -288,6 +273,39 @@ void add_slam(cli::Verb bench) {
   verb.run([slam] { return slam->rounds > 0 ? bench_rounds(*slam) : bench_slam(*slam); });
 }
 
+void add_explore(cli::Verb bench) {
+  auto explore = std::make_shared<BenchExploreArguments>();
+  cli::Verb verb = bench.verb("explore", "Simulated buildings explored by a whole robot in lock-step");
+  verb.list_function(
+          "--kind",
+          [explore](const std::vector<std::string>& names) {
+            explore->kinds.clear();
+            for (const buildings::BuildingKind kind : buildings::kBuildingKinds)
+              if (std::ranges::find(names, buildings::to_text(kind)) != names.end())
+                explore->kinds.push_back(kind);
+          },
+          "office (default), corridors, loop, pillars, warehouse; several separated by commas")
+      .separated_by_commas()
+      .one_of({"office", "corridors", "loop", "pillars", "warehouse"});
+  verb.option("--seeds", explore->seeds, "Buildings of each kind (1)").within(1, 10000);
+  verb.option("--first", explore->first, "Seed of the first (1)");
+  verb.flag("--ideal", explore->ideal,
+            "The map is right at once, ways are driven exactly, and nothing is simulated");
+  verb.flag("--nearest,!--no-nearest", explore->nearest,
+            "Each a second time, by the nearest frontier (default)");
+  verb.option("--robot", explore->drive.robot, "Robot file, or the name of one (kobuki)");
+  verb.option("--longest", explore->drive.longest, "A drive ends then [s] (3600)").within(1.0, 1e5);
+  verb.option("--gain", explore->drive.explorer.gain_scale, "[m] of way that a metre of frontier is worth")
+      .within(0.0, 100.0);
+  verb.option("--hysteresis", explore->drive.explorer.hysteresis,
+              "So much less another frontier must cost [m]")
+      .within(0.0, 100.0);
+  verb.option("--set", explore->drive.set, "component.parameter=value, as often as needed").one_each_time();
+  verb.option("--maps", explore->maps, "Folder for the map of each drive");
+  verb.option("--json", explore->json, "Writes the figures here");
+  verb.run([explore] { return bench_explore(*explore); });
+}
+
 void add_bench(cli::Verb bench) {
   add_teb(bench);
   add_crowd(bench);
@@ -297,8 +315,8 @@ void add_bench(cli::Verb bench) {
   add_people(bench);
   add_course(bench);
   add_relations(bench);
-  add_explore(bench);
   add_slam(bench);
+  add_explore(bench);
 }
 
 }  // namespace

@@ -1,105 +1,164 @@
+// Which frontier comes next, without a map.
 #include "components/explore/explorer.hpp"
-
-#include <vector>
 
 #include <gtest/gtest.h>
 
 namespace bw::explore {
 namespace {
 
-Frontier at(double x, double length, double path_length) {
-  return {{x, 0.0}, length, {x - 0.3, 0.0, 0.0}, path_length};
+constexpr Pose2 kStart{1.0, 2.0, 0.5};
+
+Frontier frontier(double x, double path_length, double length = 1.0) {
+  return {.centre = {x, 0.0}, .length = length, .goal = {x - 0.3, 0.0, 0.0}, .path_length = path_length};
 }
-FrontierSearch with(std::vector<Frontier> frontiers) { return {std::move(frontiers), {}, true}; }
 
-constexpr Pose2 kStart{1.0, 2.0, 3.0};
+FrontierSearch search(std::vector<Frontier> frontiers) {
+  FrontierSearch result;
+  result.frontiers = std::move(frontiers);
+  result.is_placed = true;
+  return result;
+}
 
-Explorer begun() {
-  Explorer explorer{ExplorerOptions{}};
+Explorer begun(ExplorerOptions options = {.gain_scale = 0.5, .hysteresis = 2.0, .return_to_init = true}) {
+  Explorer explorer(options);
   explorer.resume(kStart);
   return explorer;
 }
 
-TEST(Explorer, StartsPaused) {
-  Explorer explorer{ExplorerOptions{}};
+/// Nothing is left only after three looks.
+ExploreStep third_look(Explorer& explorer, const FrontierSearch& found) {
+  EXPECT_FALSE(explorer.look(found).goal);
+  EXPECT_FALSE(explorer.look(found).goal);
+  return explorer.look(found);
+}
+
+double goal_x(const ExploreStep& step) { return step.goal ? step.goal->x : -1.0; }
+
+TEST(Explorer, IsPausedUntilItIsTold) {
+  Explorer explorer;
   EXPECT_EQ(explorer.state(), ExploreState::paused);
-  EXPECT_FALSE(explorer.look(with({at(5.0, 1.0, 5.0)})).goal);
+  EXPECT_FALSE(explorer.look(search({frontier(5.0, 5.0)})).goal);
 }
 
-// Costs are 5 - 1, 9 - 6 and 6 - 1: a frontier as long as 6 m is worth the way.
-TEST(Explorer, WeighsTheWayAgainstWhatThereIsToSee) {
-  Explorer explorer = begun();
-  const ExploreStep step = explorer.look(with({at(5.0, 1.0, 5.0), at(9.0, 6.0, 9.0), at(6.5, 1.0, 6.0)}));
-  ASSERT_TRUE(step.goal);
-  EXPECT_EQ(step.goal->x, 8.7);
+TEST(Explorer, WeighsGainAgainstPath) {
+  // 5 - 0.5 * 1 = 4.5 m; 8 - 0.5 * 10 = 3 m.
+  EXPECT_DOUBLE_EQ(goal_x(begun().look(search({frontier(5.0, 5.0), frontier(8.0, 8.0, 10.0)}))), 7.7);
+  // By path alone.
+  EXPECT_DOUBLE_EQ(
+      goal_x(begun({.gain_scale = 0.0}).look(search({frontier(5.0, 5.0), frontier(8.0, 8.0, 10.0)}))), 4.7);
 }
 
-TEST(Explorer, DrivesOnWhileTheFrontierIsThereAndElsewhereWhenItVanished) {
+TEST(Explorer, KeepsItsFrontierUntilAnotherIsCheaperByTheHysteresis) {
   Explorer explorer = begun();
-  EXPECT_TRUE(explorer.look(with({at(5.0, 1.0, 5.0), at(9.0, 1.0, 9.0)})).goal);
-  // Moved by 0.4 m with the map it is the same; a better one does not turn the robot round.
-  EXPECT_FALSE(explorer.look(with({at(5.4, 1.0, 4.0), at(1.0, 9.0, 1.0), at(9.0, 1.0, 9.0)})).goal);
-  const ExploreStep step = explorer.look(with({at(9.0, 1.0, 8.0)}));
-  ASSERT_TRUE(step.goal);
-  EXPECT_EQ(step.goal->x, 8.7);
-  EXPECT_FALSE(step.cancels) << "the new goal takes the place of the old one";
+  EXPECT_DOUBLE_EQ(goal_x(explorer.look(search({frontier(5.0, 5.0)}))), 4.7);
+  EXPECT_FALSE(explorer.look(search({frontier(5.0, 5.0), frontier(20.0, 3.1)})).goal);
+  EXPECT_DOUBLE_EQ(goal_x(explorer.look(search({frontier(5.0, 5.0), frontier(20.0, 2.9)}))), 19.7);
 }
 
-TEST(Explorer, WhatWasNotReachedGetsASecondChanceAndNoThird) {
+TEST(Explorer, FollowsAFrontierThatMovesOn) {
   Explorer explorer = begun();
-  const FrontierSearch both = with({at(5.0, 1.0, 5.0), at(9.0, 1.0, 9.0)});
-  const auto goal = [&] { return explorer.look(both).goal.value_or(Pose2{-1.0, 0.0, 0.0}).x; };
-  EXPECT_EQ(goal(), 4.7);
-  explorer.goal_ended(false);
-  EXPECT_EQ(goal(), 8.7);
-  explorer.goal_ended(false);
-  EXPECT_EQ(goal(), 4.7) << "nothing else is left: once more";
-  explorer.goal_ended(false);
-  EXPECT_EQ(goal(), 8.7);
-  explorer.goal_ended(false);
-  EXPECT_EQ(goal(), kStart.x) << "back to where it began";
+  explorer.look(search({frontier(5.0, 5.0)}));
+  EXPECT_FALSE(explorer.look(search({frontier(5.4, 5.0)})).goal);              // 0.4 m: the same goal will do
+  EXPECT_DOUBLE_EQ(goal_x(explorer.look(search({frontier(5.8, 5.0)}))), 5.5);  // 0.8 m
+  EXPECT_EQ(explorer.goals(), 2U);
+}
+
+TEST(Explorer, AVanishedFrontierGivesWayToTheNext) {
+  Explorer explorer = begun();
+  explorer.look(search({frontier(5.0, 5.0), frontier(9.0, 9.0)}));
+  EXPECT_DOUBLE_EQ(goal_x(explorer.look(search({frontier(9.0, 9.0)}))), 8.7);
+}
+
+TEST(Explorer, AFailureIsTriedAgainOnceWhenNothingElseIsLeft) {
+  Explorer explorer = begun();
+  const FrontierSearch both = search({frontier(5.0, 5.0), frontier(9.0, 9.0)});
+  EXPECT_DOUBLE_EQ(goal_x(explorer.look(both)), 4.7);
+  explorer.goal_ended(GoalEnd::failed, "blocked");
+  EXPECT_DOUBLE_EQ(goal_x(explorer.look(both)), 8.7);
+  const FrontierSearch one = search({frontier(5.0, 5.0)});
+  EXPECT_DOUBLE_EQ(goal_x(explorer.look(one)), 4.7);  // the second chance
+  explorer.goal_ended(GoalEnd::failed, "blocked again");
+  const ExploreStep step = third_look(explorer, one);
   EXPECT_EQ(explorer.state(), ExploreState::returning);
-  EXPECT_EQ(explorer.given_up(), 2U);
-  explorer.goal_ended(true);
+  ASSERT_TRUE(step.goal);
+  EXPECT_EQ(step.goal->x, kStart.x);
+  ASSERT_EQ(explorer.left().size(), 1U);
+  EXPECT_EQ(explorer.left()[0].why, "not reached: blocked again");
+  explorer.goal_ended(GoalEnd::reached, "");
   EXPECT_EQ(explorer.state(), ExploreState::complete);
-  EXPECT_EQ(explorer.failed(), 4U);
+  EXPECT_EQ(explorer.failed(), 2U);
 }
 
-// The robot stood before it, three looks later it is still there: nothing is to be seen from there.
-TEST(Explorer, AFrontierThatStaysIsGivenUp) {
+TEST(Explorer, AFaultOfTheRobotIsNoneOfTheFrontier) {
   Explorer explorer = begun();
-  const FrontierSearch one = with({at(5.0, 1.0, 5.0)});
-  EXPECT_TRUE(explorer.look(one).goal);
-  explorer.goal_ended(true);
-  EXPECT_FALSE(explorer.look(one).goal);
-  EXPECT_FALSE(explorer.look(one).goal);
-  EXPECT_TRUE(explorer.look(one).goal);
-  EXPECT_EQ(explorer.state(), ExploreState::returning);
-  EXPECT_EQ(explorer.given_up(), 1U);
-}
-
-TEST(Explorer, PausedItStandsAndGoesOnWhereItWas) {
-  Explorer explorer = begun();
-  const FrontierSearch one = with({at(5.0, 1.0, 5.0)});
+  const FrontierSearch one = search({frontier(5.0, 5.0)});
   explorer.look(one);
-  EXPECT_TRUE(explorer.pause().cancels);
-  EXPECT_FALSE(explorer.look(one).goal);
-  explorer.resume({7.0, 7.0, 0.0});
-  EXPECT_TRUE(explorer.look(one).goal);
-  explorer.goal_ended(true);
-  const ExploreStep back = explorer.look(with({}));
-  ASSERT_TRUE(back.goal);
-  EXPECT_EQ(back.goal->x, kStart.x) << "where it began, not where it went on";
+  explorer.goal_ended(GoalEnd::dropped, "the base stands");
+  EXPECT_DOUBLE_EQ(goal_x(explorer.look(one)), 4.7);
+  EXPECT_EQ(explorer.failed(), 0U);
 }
 
-TEST(Explorer, CompleteItBeginsAnew) {
+TEST(Explorer, AFrontierThatStaysThoughTheRobotStandsBeforeItIsLeft) {
+  Explorer explorer = begun({.return_to_init = false});
+  const FrontierSearch one = search({frontier(5.0, 5.0)});
+  for (int chance = 0; chance < 2; ++chance) {
+    EXPECT_DOUBLE_EQ(goal_x(explorer.look(one)), 4.7);
+    explorer.goal_ended(GoalEnd::reached, "");
+    EXPECT_FALSE(explorer.look(one).goal);  // the map may be of a moment before
+    EXPECT_FALSE(explorer.look(one).goal);
+  }
+  third_look(explorer, one);
+  EXPECT_EQ(explorer.state(), ExploreState::complete);
+  EXPECT_EQ(explorer.left().size(), 1U);
+}
+
+TEST(Explorer, AMomentWithoutFrontiersIsNoEnd) {
   Explorer explorer = begun();
-  explorer.look(with({}));
-  explorer.goal_ended(true);
+  explorer.look(search({frontier(5.0, 5.0)}));
+  EXPECT_FALSE(explorer.look(search({})).goal);
+  EXPECT_TRUE(explorer.is_idle());                                 // and looks again at once
+  EXPECT_FALSE(explorer.look(search({frontier(5.0, 5.0)})).goal);  // it drives there still
+  EXPECT_FALSE(explorer.look(search({})).goal);
+  EXPECT_FALSE(explorer.look(search({})).goal);
+  EXPECT_EQ(explorer.state(), ExploreState::exploring);
+}
+
+TEST(Explorer, ReturnsAndIsComplete) {
+  Explorer explorer = begun();
+  const ExploreStep step = third_look(explorer, search({}));
+  EXPECT_EQ(goal_x(step), kStart.x);
+  EXPECT_EQ(explorer.state(), ExploreState::returning);
+  // Something new on the way comes first.
+  EXPECT_DOUBLE_EQ(goal_x(explorer.look(search({frontier(5.0, 5.0)}))), 4.7);
+  EXPECT_EQ(explorer.state(), ExploreState::exploring);
+  EXPECT_EQ(goal_x(third_look(explorer, search({}))), kStart.x);
+  explorer.goal_ended(GoalEnd::reached, "");
   EXPECT_EQ(explorer.state(), ExploreState::complete);
-  EXPECT_FALSE(explorer.pause().cancels);
+  EXPECT_TRUE(explorer.left().empty());
+}
+
+TEST(Explorer, CancelsWhenItIsCompleteOrPausedOnTheWay) {
+  Explorer explorer = begun({.return_to_init = false});
+  explorer.look(search({frontier(5.0, 5.0)}));
+  const ExploreStep step = third_look(explorer, search({}));
+  EXPECT_TRUE(step.cancels);
   EXPECT_EQ(explorer.state(), ExploreState::complete);
-  explorer.resume(kStart);
+
+  Explorer paused = begun();
+  paused.look(search({frontier(5.0, 5.0)}));
+  EXPECT_TRUE(paused.pause().cancels);
+  EXPECT_FALSE(paused.pause().cancels);
+  EXPECT_FALSE(paused.look(search({frontier(5.0, 5.0)})).goal);
+  paused.resume({});
+  EXPECT_DOUBLE_EQ(goal_x(paused.look(search({frontier(5.0, 5.0)}))), 4.7);
+  EXPECT_EQ(goal_x(third_look(paused, search({}))), kStart.x);  // where it began, not where it went on
+}
+
+TEST(Explorer, AfterItIsCompleteItBeginsAnew) {
+  Explorer explorer = begun({.return_to_init = false});
+  third_look(explorer, search({}));
+  ASSERT_EQ(explorer.state(), ExploreState::complete);
+  explorer.resume({});
   EXPECT_EQ(explorer.state(), ExploreState::exploring);
   EXPECT_EQ(explorer.goals(), 0U);
 }

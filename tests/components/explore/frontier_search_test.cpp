@@ -1,103 +1,173 @@
-// Frontiers of maps that are drawn as text: '#' occupied, '.' free, ' ' unknown; cells of 0.1 m, the first row on top.
+// Frontiers of small maps whose numbers are reckoned by hand. The robot is a disc of 0.2 m, so that centres of cells
+// must be 0.25 m apart from those of obstacles, which are half a cell around them.
 #include "components/explore/frontier_search.hpp"
 
 #include <cmath>
-#include <string>
-#include <vector>
 
 #include <gtest/gtest.h>
+
+#include "components/explore/wavefront.hpp"
+#include "components/model/random.hpp"
+#include "tests/components/explore/explore_maps.hpp"
 
 namespace bw::explore {
 namespace {
 
-OccupancyGrid drawn(const std::vector<std::string>& rows) {
-  OccupancyGrid grid;
-  grid.resolution = 0.1;
-  grid.width = static_cast<int>(rows.front().size());
-  grid.height = static_cast<int>(rows.size());
-  for (auto row = rows.rbegin(); row != rows.rend(); ++row)
-    for (const char c : *row)
-      grid.cells.push_back(c == '#'   ? OccupancyGrid::kOccupied
-                           : c == '.' ? OccupancyGrid::kFree
-                                      : OccupancyGrid::kUnknown);
-  return grid;
-}
-
-// A room 2 m wide and 1 m deep inside its walls, whose right side is a door as wide as `door` cells, with some free
-// floor behind it, and the unknown beyond.
-OccupancyGrid room(int door) {
-  std::vector<std::string> rows;
-  rows.push_back(std::string(22, '#') + std::string(10, ' '));
-  for (int row = 0; row < 10; ++row) {
-    const bool is_open = row < door;
-    rows.push_back("#" + std::string(20, '.') + (is_open ? "......" : "#     ") + std::string(5, ' '));
-  }
-  rows.push_back(rows.front());
-  return drawn(rows);
-}
+using namespace test;
 
 constexpr FrontierOptions kRobot{.radius = 0.2, .least_length = 0.1};
+const Vector2 kStand{1.05, 1.45};
 
-TEST(FrontierSearch, AClosedRoomHasNone) {
-  const FrontierSearch search = find_frontiers(room(0), {0.5, 0.6}, kRobot);
+TEST(Wavefront, GoesStraightAndDiagonally) {
+  const OccupancyGrid map = closed_room();
+  const std::vector<bool> fits = cells_for_disc(map, 0.2, {.unknown_is_obstacle = true});
+  const std::vector<Cell> start = cells_beside(map, fits, {1.05, 1.05}, 0.5);
+  ASSERT_EQ(start.size(), 1U);
+  const std::vector<double> length = wavefront(map, fits, start);
+  // 10 cells along x and 5 along y: five diagonal steps and five straight ones.
+  const Cell end{start[0].column + 10, start[0].row + 5};
+  EXPECT_NEAR(length[map.index(end.column, end.row)], 0.1 * (5.0 + 5.0 * std::sqrt(2.0)), 1e-12);
+  // The first cell in which the disc fits is 0.3 m from the middle of the wall: three cells in.
+  EXPECT_FALSE(fits[map.index(map.column_of(0.15), map.row_of(1.05))]);
+  EXPECT_TRUE(fits[map.index(map.column_of(0.25), map.row_of(1.05))]);
+}
+
+TEST(Wavefront, BeginsBesideARobotThatStandsTooNearToAWall) {
+  // At 0.15 from a wall whose cells' middles are at -0.05: the cells from 0.25 on fit. Behind the wall there are others.
+  OccupancyGrid map = closed_room();
+  fill(map, -10, 0, -1, 30, OccupancyGrid::kFree);
+  const std::vector<bool> fits = cells_for_disc(map, 0.2, {.unknown_is_obstacle = true});
+  const std::vector<Cell> start = cells_beside(map, fits, {0.15, 1.45}, 0.5);
+  ASSERT_FALSE(start.empty());
+  for (const Cell cell : start) EXPECT_GT(map.center(cell.column, cell.row).x(), 0.2);
+}
+
+TEST(Frontiers, ADoor) {
+  // A door of 1 m from y = 1 to 2: of its ten cells those from 1.25 to 1.75 are 0.25 m or more from the posts at 0.95
+  // and 2.05, six of them.
+  const FrontierSearch search = find_frontiers(room_with_door(10, 20), kStand, kRobot);
+  EXPECT_TRUE(search.is_placed);
+  ASSERT_EQ(search.frontiers.size(), 1U);
+  EXPECT_TRUE(search.out_of_reach.empty());
+  const Frontier& door = search.frontiers.front();
+  EXPECT_NEAR(door.length, 0.6, 1e-9);
+  EXPECT_NEAR(door.centre.x(), 4.05, 1e-9);
+  EXPECT_NEAR(door.centre.y(), 1.45, 1e-9);
+  // What is unknown begins with the cells at 4.15: the last ones 0.25 m before are at 3.85. 28 cells to go.
+  EXPECT_NEAR(door.goal.x, 3.85, 1e-9);
+  EXPECT_NEAR(door.goal.y, 1.45, 1e-9);
+  EXPECT_NEAR(door.goal.theta, 0.0, 1e-9);
+  EXPECT_NEAR(door.path_length, 2.8, 1e-9);
+}
+
+TEST(Frontiers, AGapNarrowerThanTheRobotIsNone) {
+  // 0.4 m: posts at 1.25 and 1.75, no cell between them is 0.25 m from both. One cell more, and the middle is 0.3 m.
+  EXPECT_TRUE(find_frontiers(room_with_door(13, 17), kStand, kRobot).frontiers.empty());
+  EXPECT_TRUE(find_frontiers(room_with_door(13, 17), kStand, kRobot).out_of_reach.empty());
+  EXPECT_EQ(find_frontiers(room_with_door(13, 18), kStand, kRobot).frontiers.size(), 1U);
+}
+
+TEST(Frontiers, NoneOfAClosedRoom) {
+  const FrontierSearch search = find_frontiers(closed_room(), kStand, kRobot);
   EXPECT_TRUE(search.is_placed);
   EXPECT_TRUE(search.frontiers.empty());
   EXPECT_TRUE(search.out_of_reach.empty());
 }
 
-// The door is 1 m wide. Where the robot fits, 0.275 m from the walls' cells above and below (0.2 m and three quarters of
-// a cell), five rows of the last free column are left. It may come as near to the unknown as to a wall: x of the goal is
-// 2.45 of the last free cells' 2.65, since 2.75 is unknown.
-TEST(FrontierSearch, BehindADoorThereIsOne) {
-  const FrontierSearch search = find_frontiers(room(10), {0.5, 0.6}, kRobot);
+TEST(Frontiers, ShorterOnesThanTheLeastAreNone) {
+  FrontierOptions longer = kRobot;
+  longer.least_length = 0.7;  // the door's is 0.6
+  EXPECT_TRUE(find_frontiers(room_with_door(10, 20), kStand, longer).frontiers.empty());
+}
+
+TEST(Frontiers, BehindAWallAreNoneOfTheRobots) {
+  // A second room that is open to the right, seen through a gap that the robot does not fit through.
+  OccupancyGrid map = room_with_door(13, 17);
+  fill(map, 41, 0, 60, 30, OccupancyGrid::kFree);
+  EXPECT_TRUE(find_frontiers(map, kStand, kRobot).frontiers.empty());
+  const FrontierSearch from_there = find_frontiers(map, {5.05, 1.45}, kRobot);
+  EXPECT_EQ(from_there.frontiers.size(), 1U);
+}
+
+TEST(Frontiers, TheNearestComesFirst) {
+  OccupancyGrid map = room_with_door(10, 20);
+  fill(map, -1, 10, 0, 20, OccupancyGrid::kFree);  // and one on the left
+  const FrontierSearch search = find_frontiers(map, kStand, kRobot);
+  ASSERT_EQ(search.frontiers.size(), 2U);
+  EXPECT_LT(search.frontiers[0].centre.x(), 0.0);
+  // From 1.05 to 0.15, where what is unknown at -0.15 is 0.3 m away.
+  EXPECT_NEAR(search.frontiers[0].path_length, 0.9, 1e-9);
+  EXPECT_NEAR(search.frontiers[1].path_length, 2.8, 1e-9);
+}
+
+TEST(Frontiers, WhatNoKnownGroundLeadsToIsTold) {
+  // A strip of 0.3 m that one beam has cleared, to a bay of 0.3 m: nowhere there the robot stands clear of what is unknown.
+  // Its cells are one frontier with the strip, and that begins beside the room.
+  OccupancyGrid map = closed_room();
+  fill(map, 40, 5, 41, 25, OccupancyGrid::kFree);
+  fill(map, 41, 14, 80, 17, OccupancyGrid::kFree);
+  const FrontierSearch search = find_frontiers(map, kStand, kRobot);
   ASSERT_EQ(search.frontiers.size(), 1U);
-  const Frontier& frontier = search.frontiers[0];
-  EXPECT_NEAR(frontier.centre.x(), 2.65, 1e-9);
-  EXPECT_NEAR(frontier.centre.y(), 0.6, 0.051);
-  EXPECT_NEAR(frontier.goal.x, 2.45, 1e-9);
-  EXPECT_NEAR(frontier.goal.theta, 0.0, 0.3);
-  // From the cell at 0.45 or 0.55, straight.
-  EXPECT_NEAR(frontier.path_length, 1.95, 0.1 + 1e-9);
+  EXPECT_LT(search.frontiers[0].goal.x, 4.0);
+  // Cut off by a metre of what only just lets the robot through: walls on both sides, so that nothing there is a frontier.
+  OccupancyGrid cut = closed_room();
+  fill(cut, 40, 11, 60, 19, OccupancyGrid::kOccupied);
+  fill(cut, 40, 12, 60, 18, OccupancyGrid::kFree);
+  fill(cut, 60, 12, 80, 18, OccupancyGrid::kFree);
+  fill(cut, 60, 12, 63, 18, OccupancyGrid::kFree);
+  const FrontierSearch open = find_frontiers(cut, kStand, kRobot);
+  ASSERT_EQ(open.frontiers.size() + open.out_of_reach.size(), 1U);
 }
 
-// Through four cells of 0.1 m a disc of 0.4 m does not go, through seven it does.
-TEST(FrontierSearch, AGapThatIsTooNarrowIsNone) {
-  EXPECT_TRUE(find_frontiers(room(4), {0.5, 0.6}, kRobot).frontiers.empty());
-  EXPECT_EQ(find_frontiers(room(7), {0.5, 0.6}, kRobot).frontiers.size(), 1U);
+TEST(Frontiers, WithoutGroundUnderTheRobotNothingIsSaid) {
+  EXPECT_FALSE(find_frontiers(closed_room(), {7.0, 3.0}, kRobot).is_placed);
+  EXPECT_FALSE(find_frontiers(OccupancyGrid{}, kStand, kRobot).is_placed);
+  // Beside a wall, where it does not fit by the map: from half a metre to where it does.
+  EXPECT_TRUE(find_frontiers(closed_room(), {0.05, 1.45}, kRobot).is_placed);
 }
 
-TEST(FrontierSearch, ShortOnesAreLeftOut) {
-  const OccupancyGrid map = room(7);
-  const double length = find_frontiers(map, {0.5, 0.6}, kRobot).frontiers.at(0).length;
-  FrontierOptions options = kRobot;
-  options.least_length = length + 0.01;
-  EXPECT_TRUE(find_frontiers(map, {0.5, 0.6}, options).frontiers.empty());
+// Maps with random boxes and holes of what is unknown.
+class RandomMap : public ::testing::TestWithParam<std::uint64_t> {
+ protected:
+  static OccupancyGrid map() {
+    Random random(GetParam());
+    OccupancyGrid map = room_with_door(10, 20);
+    for (int k = 0; k < 12; ++k) {
+      const int left = static_cast<int>(random.uniform(0.0, 36.0));
+      const int low = static_cast<int>(random.uniform(0.0, 26.0));
+      const auto value = k % 2 == 0 ? OccupancyGrid::kOccupied : OccupancyGrid::kUnknown;
+      fill(map, left, low, left + 3, low + 3, value);
+    }
+    fill(map, 9, 13, 13, 17, OccupancyGrid::kFree);
+    return map;
+  }
+};
+
+TEST_P(RandomMap, GoalsAreOnKnownFreeGroundWithRoomForTheRobot) {
+  const OccupancyGrid grid = map();
+  for (const Frontier& frontier : find_frontiers(grid, kStand, kRobot).frontiers) {
+    for (int row = 0; row < grid.height; ++row) {
+      for (int column = 0; column < grid.width; ++column) {
+        const double away = (grid.center(column, row) - frontier.goal.position()).norm();
+        if (away >= 0.2 + 0.5 * kEdge) continue;
+        EXPECT_EQ(grid.at(column, row), OccupancyGrid::kFree);
+      }
+    }
+  }
 }
 
-// Every goal keeps the radius from all that is not known to be free, by brute force.
-TEST(FrontierSearch, GoalsKeepClearOfWallsAndOfTheUnknown) {
-  const OccupancyGrid map = room(10);
-  for (const Frontier& frontier : find_frontiers(map, {0.5, 0.6}, kRobot).frontiers)
-    for (int row = 0; row < map.height; ++row)
-      for (int column = 0; column < map.width; ++column)
-        if (map.at(column, row) != OccupancyGrid::kFree) {
-          EXPECT_GT((map.center(column, row) - frontier.goal.position()).norm(), kRobot.radius + 0.05);
-        }
+TEST_P(RandomMap, SameMapSameFrontiers) {
+  const FrontierSearch a = find_frontiers(map(), kStand, kRobot);
+  const FrontierSearch b = find_frontiers(map(), kStand, kRobot);
+  ASSERT_EQ(a.frontiers.size(), b.frontiers.size());
+  for (std::size_t k = 0; k < a.frontiers.size(); ++k) {
+    EXPECT_EQ(a.frontiers[k].centre, b.frontiers[k].centre);
+    EXPECT_EQ(a.frontiers[k].path_length, b.frontiers[k].path_length);
+    EXPECT_EQ(a.frontiers[k].goal.theta, b.frontiers[k].goal.theta);
+  }
 }
 
-// A frontier on the other side of a wall is not looked into from here, however near: there is none to drive to.
-TEST(FrontierSearch, WhatLiesBehindAWallIsNotReached) {
-  std::vector<std::string> rows(12, "#..........#..........     ");
-  rows.front() = rows.back() = std::string(27, '#');
-  const FrontierSearch search = find_frontiers(drawn(rows), {0.9, 0.6}, kRobot);
-  EXPECT_TRUE(search.is_placed);
-  EXPECT_TRUE(search.frontiers.empty());
-}
-
-TEST(FrontierSearch, OffTheMapTheRobotIsNotPlaced) {
-  EXPECT_FALSE(find_frontiers(room(7), {9.0, 9.0}, kRobot).is_placed);
-  EXPECT_FALSE(find_frontiers({}, {0.0, 0.0}, kRobot).is_placed);
-}
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomMap, ::testing::Range<std::uint64_t>(1, 11));
 
 }  // namespace
 }  // namespace bw::explore
