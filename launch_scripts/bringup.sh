@@ -61,7 +61,7 @@ while (($# > 0)); do
 done
 if $slam; then
   [[ -z $map ]] || refuse 2 "--slam makes the map, --map brings one: not both." "$usage"
-  settings+=(--set slam.enabled=true --set localization.enabled=false --set map_server.enabled=false)
+  settings+=(--set slam.enabled=true --set explore.enabled=true --set localization.enabled=false --set map_server.enabled=false)
 fi
 [[ -z $map ]] || settings+=(--set "map_server.map=$map")
 [[ -z $map ]] || ! $emulated || settings+=(--set "world.map=$map")
@@ -130,7 +130,8 @@ done
 
 if ! $stopped && kill -0 "$processes" 2>/dev/null; then
   echo "Up: base, laser and all components."
-  [[ -n $map ]] || $emulated || echo "There is no map: drive by hand; goals need --map MAP.yaml and a first pose."
+  ! $slam || echo "The map grows while it drives: by hand, or by itself: $program explore"
+  [[ -n $map ]] || $slam || $emulated || echo "There is no map: drive by hand; goals need --map MAP.yaml and a first pose."
   sed -n 's/^Page: /Page: /p' "$BANDWAGON_LOG_DIR"/viewer.* 2>/dev/null | head -n 1 || true
   echo "Stop by Ctrl-C. By hand: $program teleop"
 fi

@@ -48,8 +48,8 @@ drive_to() { # drive_to X Y
 }
 
 mkdir "$folder/maps"
-up --slam --set "slam.folder=$folder/maps" --set global_planner.unknown_is_obstacle=false
-drive_to 7.5 6.5
+up --slam --set "slam.folder=$folder/maps"
+answers exploration_complete explore
 drive_to 6.0 5.0
 answers 'result: 0' service call /slam_toolbox/save_map '{name: {data: home}}'
 down

@@ -289,6 +289,8 @@ void add_explore(cli::Verb bench) {
       .one_of({"office", "corridors", "loop", "pillars", "warehouse"});
   verb.option("--seeds", explore->seeds, "Buildings of each kind (1)").within(1, 10000);
   verb.option("--first", explore->first, "Seed of the first (1)");
+  verb.flag("--ideal", explore->ideal,
+            "The map is right at once, ways are driven exactly, and nothing is simulated");
   verb.flag("--nearest,!--no-nearest", explore->nearest,
             "Each a second time, by the nearest frontier (default)");
   verb.option("--robot", explore->drive.robot, "Robot file, or the name of one (kobuki)");

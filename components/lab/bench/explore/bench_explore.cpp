@@ -10,7 +10,7 @@
 #include "components/files/map_file.hpp"
 #include "components/lab/bench/bench_common.hpp"
 #include "components/lab/bench/explore/coverage.hpp"
-#include "runtime/base/quantile.hpp"
+#include "components/lab/bench/explore/ideal_exploration.hpp"
 
 namespace bw {
 namespace {
@@ -45,7 +45,30 @@ std::vector<Way> ways_of(const BenchExploreArguments& arguments) {
   return ways;
 }
 
+// Of a Kobuki.
+Row explored_ideally(const buildings::Building& building, const Way& way,
+                     const BenchExploreArguments& arguments) {
+  Row row;
+  row.way = way.name;
+  IdealExplorationOptions options;
+  options.range = kTourRange;
+  options.longest = arguments.drive.longest;
+  options.explorer = way.options;
+  const Explorable place = explorable(building, options.radius, kTourResolution);
+  const double before = process_cpu_ms();
+  const IdealExploration made = explore_ideally(place, options);
+  row.cpu_s = 1e-3 * (process_cpu_ms() - before);
+  row.known = made.known;
+  row.tour = greedy_tour(place, kTourRange);
+  row.drive.complete = made.complete;
+  row.drive.way = made.way;
+  row.drive.time = made.way / options.speed;
+  row.drive.status = fmt::format("{} goals, {} left", made.goals, made.left);
+  return row;
+}
+
 Row explored(const buildings::Building& building, const Way& way, const BenchExploreArguments& arguments) {
+  if (arguments.ideal) return explored_ideally(building, way, arguments);
   Row row;
   row.way = way.name;
   ExploreDriveOptions options = arguments.drive;

@@ -13,6 +13,7 @@ struct BenchExploreArguments {
   std::vector<buildings::BuildingKind> kinds = {buildings::BuildingKind::office};
   int seeds = 1;
   std::uint64_t first = 1;    ///< of the seeds
+  bool ideal = false;         ///< without errors and without DDS: ideal_exploration.hpp
   bool nearest = true;        ///< each building a second time, by the nearest frontier
   ExploreDriveOptions drive;  ///< its seed is each of these
   std::string maps;           ///< folder for the map of each drive; empty: none
