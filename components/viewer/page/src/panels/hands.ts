@@ -4,6 +4,7 @@ import { create, setText } from "./dom";
 import { byNumbers } from "./hands/by_numbers";
 import type { HandsContext } from "./hands/context";
 import { DriveControl } from "./hands/drive_control";
+import { Explore } from "./hands/explore";
 import { goalTool, sendGoal } from "./hands/goal";
 import { initialPoseTool, sendInitialPose } from "./hands/initial_pose";
 import { PeopleTools } from "./hands/people";
@@ -39,7 +40,7 @@ export function mountHands(root: HTMLElement, app: App): void {
     whyNot.hidden = app.hands.canCommand;
     setText(whyNot, app.hands.whyNot || "no robot is connected");
     if (!app.hands.canCommand && tools.some((tool) => tool.isTaken)) app.tool = undefined;
-    for (const part of [goal, pose, people, waypoints, control, teleop, saveMap]) part.update();
+    for (const part of [goal, pose, people, waypoints, control, teleop, explore, saveMap]) part.update();
   };
 
   const goal = goalTool(context, () => update());
@@ -47,6 +48,7 @@ export function mountHands(root: HTMLElement, app: App): void {
   const people = new PeopleTools(context, () => update());
   const waypoints = new Waypoints(context, () => update());
   const teleop = new Teleop(context);
+  const explore = new Explore(context);
   const saveMap = new SaveMap(context);
   const control = new DriveControl(
     context,
@@ -68,6 +70,7 @@ export function mountHands(root: HTMLElement, app: App): void {
     waypoints.root,
     control.root,
     teleop.root,
+    explore.root,
     saveMap.root,
     numbers,
     said,
