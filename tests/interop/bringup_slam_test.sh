@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# bringup_slam_test.sh ROOT PROGRAM MAP_WALLS: section 7 of config/robots/README.md on an emulated Kobuki: a map is made while it drives, saved, and the robot finds itself in it.
+# bringup_slam_test.sh ROOT PROGRAM MAP_WALLS: section 7 of config/robots/README.md on an emulated Kobuki: it makes a map by itself, the map is saved, and the robot finds itself in it.
 set -euo pipefail
 root=$1
 bringup=$root/launch_scripts/bringup.sh
@@ -56,8 +56,8 @@ down
 for file in home.yaml home.pgm; do [[ -s $folder/maps/$file ]] || fail "$file is not there"; done
 
 # The emulated floor: 13 by 11 m with two boxes (`world` of config/graphs/robot.yaml). Its outline is 48 m, 960 cells, and the sides of the boxes that are seen another
-# 60; a cell's centre is off a wall through it by up to 3.5 cm, so that 7.5 cm is within a cell.
-read -r cells share < <("$map_walls" "$folder/maps/home.yaml" 0.075 0,0,13,0 13,0,13,11 13,11,0,11 0,11,0,0 \
+# 60. Walls lie on lines between cells, so that centres are off by 2.5 cm on either side and by 7.5 cm one cell farther: within a cell, and 1 mm for rounding.
+read -r cells share < <("$map_walls" "$folder/maps/home.yaml" 0.076 0,0,13,0 13,0,13,11 13,11,0,11 0,11,0,0 \
   8.5,8.2,9.5,8.2 9.5,8.2,9.5,8.8 9.5,8.8,8.5,8.8 8.5,8.8,8.5,8.2 8.2,1.4,8.8,1.4 8.8,1.4,8.8,2.6 8.8,2.6,8.2,2.6 8.2,2.6,8.2,1.4)
 ((cells >= 700)) || fail "$cells cells of walls only"
 awk "BEGIN { exit !($share >= 95) }" || fail "$share % of $cells cells of walls are where walls are"
