@@ -28,18 +28,22 @@ export SOURCE_DATE_EPOCH TZ=UTC
 version+="~$(. /etc/os-release && echo "$ID${VERSION_ID//./}")"
 [[ -z $(git status --porcelain) ]] || echo "The work tree has changes that the packages' version does not tell." >&2
 
-"$root/launch_scripts/setup.sh" package
 debian=(-DBANDWAGON_DEBIAN=ON -DBANDWAGON_PACKAGE_VERSION="$version" -DCMAKE_INSTALL_PREFIX=/usr)
 if $arm64; then
   "$root/launch_scripts/setup.sh" arm64
-  "$root/launch_scripts/build.sh" release idl_compiler
   build=$root/build/arm64
+  mkdir -p "$build"
+  # The compiler of the messages runs here. By itself: libceres-dev of two processors do not go beside each other.
+  messages=$build/bandwagon_idl_compiler
+  c++ -std=c++20 -O1 -I. -DBANDWAGON_VERSION="\"${version%%[+~]*}\"" -o "$messages" idl/compiler/*.cpp -lcrypto
   triplet=aarch64-linux-gnu architecture=arm64
   PKG_CONFIG_LIBDIR=/usr/lib/$triplet/pkgconfig cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBANDWAGON_TESTS=OFF \
-    -DCMAKE_TOOLCHAIN_FILE="$root/cmake/arm64.cmake" -DBANDWAGON_IDL_COMPILER="$root/build/release/bin/bandwagon_idl_compiler" >/dev/null
+    -DCMAKE_TOOLCHAIN_FILE="$root/cmake/arm64.cmake" -DBANDWAGON_IDL_COMPILER="$messages" >/dev/null
   echo "Building the program for arm64 ..."
   cmake --build "$build" -j "${BANDWAGON_JOBS:-2}" --target bandwagon
+  export DEB_HOST_ARCH=$architecture # whose libraries' packages are looked up
 else
+  "$root/launch_scripts/setup.sh" package
   "$root/launch_scripts/build.sh" release program
   "$root/launch_scripts/build.sh" release lab
   build=$root/build/release

@@ -23,7 +23,8 @@ packages=(
 )
 case $what in
   program) ;;
-  arm64) packages=(crossbuild-essential-arm64 qemu-user) ;;
+  arm64) packages=(g++ cmake ninja-build help2man dpkg-dev lintian file git crossbuild-essential-arm64 qemu-user
+    libssl-dev libeigen3-dev libcli11-dev nlohmann-json3-dev) ;;
   package) packages+=(help2man dpkg-dev lintian file git) ;;
   docs) packages=(mkdocs mkdocs-material mkdocs-material-extensions python3-pymdownx libjs-katex doxygen git) ;;
   tests) packages+=(python3 libgtest-dev libgmock-dev libbenchmark-dev cyclonedds-dev cyclonedds-tools procps git ccache shellcheck) ;;
@@ -34,10 +35,12 @@ case $what in
 esac
 
 install_debian_packages() {
-  local package status missing=() as_root=()
+  local package processor missing=() as_root=()
   for package in "$@"; do
-    status=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null || true)
-    [[ $status == installed ]] || missing+=("$package")
+    processor=$(dpkg --print-architecture)
+    [[ $package != *:* ]] || processor=${package#*:}
+    dpkg-query --show --showformat='${Architecture} ${db:Status-Status}\n' "$package" 2>/dev/null | grep -xE "($processor|all) installed" >/dev/null ||
+      missing+=("$package")
   done
   ((${#missing[@]} > 0)) || return 0
   if ((EUID != 0)); then
@@ -95,10 +98,11 @@ if [[ $what == arm64 ]]; then
 fi
 install_debian_packages "${packages[@]}"
 echo "All ${#packages[@]} Debian packages are there."
-[[ $what != docs && $what != arm64 ]] || exit 0
+[[ $what != docs ]] || exit 0
 without="the program is built without its page"
 [[ $what != tests ]] || without+=", and tests on Node.js are skipped"
 install_programs "$without" node=nodejs npm
 [[ $what != tests ]] || install_programs "tests in a browser are skipped" chromium
+[[ $what != tests ]] || install_programs "completion in a zsh is not tried" zsh
 [[ $what != tests ]] || install_programs "tests on a machine of their own are skipped" ip=iproute2
 install_node_packages "$without"

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# test_in_chroot.sh bookworm|trixie [demo|test|package|image]: the project on a bare Debian, as a newcomer has it; without a second word demo, test and
+# test_in_chroot.sh bookworm|trixie [demo|test|package|image|arm64]: the project on a bare Debian, as a newcomer has it; without a second word demo, test and
 # package. As root, since it makes a chroot (mmdebstrap).
 #
 #   demo      ./launch_scripts/demo.sh of a fresh clone
 #   test      ./launch_scripts/test.sh
 #   package   launch_scripts/package.sh; then, on another bare system: install, drive as two users, build the examples, complete, upgrade, purge
 #   image     an OCI image of the installed program (buildah), and a drive in it
+#   arm64     package.sh --arm64; then under qemu-user the hallway twice, and the change files (tests/changes), which this processor wrote
 #
 # Set-up runs as root with the network of this machine; everything else as a user without rights, in a network namespace with lo alone. The commit
 # that is checked out is tested. Chroots are kept below BANDWAGON_CHROOTS (/var/tmp/bandwagon-chroots), so that it goes on where it was; remove that
@@ -103,23 +104,24 @@ timed() { # timed WHAT COMMAND...
   return "$status"
 }
 
-clone() { # into the chroot of sources, as it is committed
-  bare "$suite"
-  local to=$chroots/$suite$home/bandwagon
+here=$suite # the chroot with the sources
+clone() { # into it, as it is committed
+  bare "$here"
+  local to=$chroots/$here$home/bandwagon
   if [[ ! -d $to/.git ]]; then
     git clone -q "$root" "$to"
   else
     git -C "$to" -c safe.directory="$to" fetch -q "$root" HEAD
     git -C "$to" -c safe.directory="$to" reset -q --hard FETCH_HEAD
   fi
-  chroot "$chroots/$suite" chown -R newcomer: "$home/bandwagon"
+  chroot "$chroots/$here" chown -R newcomer: "$home/bandwagon"
 }
 set_up() { # set_up WHAT: as root, and the packages of Node.js for the user
-  timed "setup.sh $1" online "$suite" "$home/bandwagon/launch_scripts/setup.sh" "$1"
-  chroot "$chroots/$suite" chown -R newcomer: "$home/bandwagon"
+  timed "setup.sh $1" online "$here" "$home/bandwagon/launch_scripts/setup.sh" "$1"
+  chroot "$chroots/$here" chown -R newcomer: "$home/bandwagon"
 }
 in_clone() { # in_clone COMMAND: as the user, from the clone
-  offline "$suite" newcomer bash -euc "cd $home/bandwagon && $1"
+  offline "$here" newcomer bash -euc "cd $home/bandwagon && $1"
 }
 
 test_demo() {
@@ -209,11 +211,33 @@ test_image() {
   buildah rm "$container" >/dev/null
 }
 
+# In a chroot of its own: libceres-dev of two processors do not go beside each other.
+test_arm64() {
+  here=$suite-arm64
+  clone
+  set_up arm64
+  timed "package.sh --arm64" in_clone "./launch_scripts/package.sh --arm64"
+  local program="qemu-aarch64 build/arm64/bin/bandwagon" run component
+  for run in 1 2; do
+    timed "hallway under qemu-user" in_clone "$program run hallway --clock lockstep --seed 1 --json build/arm64/run_$run.json"
+    grep -E '"(samples_sha256|time_to_goal_s|path_length_m|collisions|closest_person_m)"' "$chroots/$here$home/bandwagon/build/arm64/run_$run.json"
+  done
+  [[ $(grep -h samples_sha256 "$chroots/$here$home/bandwagon/build/arm64"/run_[12].json | sort -u | wc -l) == 1 ]]
+  say "the hallway twice, the same bytes"
+  for component in collision_monitor global_planner local_costmap local_planner localization navigator people; do
+    # 1: the bytes differ from those of the bag; the text is the rule.
+    in_clone "$program replay tests/changes/hallway.mcap --graph config/graphs/hallway.yaml --run $component --text build/arm64/$component.txt >/dev/null ||
+      ((\$? == 1)); diff tests/changes/$component.txt build/arm64/$component.txt"
+    echo "$component: as tests/changes/$component.txt"
+  done
+}
+
 for what in "$@"; do
+  here=$suite
   case $what in
-    demo | test | package | image) "test_$what" ;;
+    demo | test | package | image | arm64) "test_$what" ;;
     *)
-      echo "demo, test, package or image, not $what" >&2
+      echo "demo, test, package, image or arm64, not $what" >&2
       exit 2
       ;;
   esac

@@ -66,6 +66,14 @@ fs::path readable_map(const fs::path& map, const fs::path& root) {
   return path;
 }
 
+void refuse_without_driver(const ConfigNode& robot, const fs::path& file) {
+  const ConfigNode* driver = find_dotted(robot, "base.driver");
+  if (driver == nullptr || driver->scalar == "simulated" || driver->scalar == "none")
+    throw std::runtime_error(
+        fmt::format("{}: base.driver names no driver of a base: this robot drives in a simulated world alone",
+                    file.string()));
+}
+
 void write_robot(const fs::path& from, const fs::path& to) {
   if (fs::exists(to) && fs::equivalent(from, to)) {
     std::cout << "Robot file:  " << to.string() << ", as it is\n";
@@ -95,7 +103,9 @@ int enable(const EnableOptions& options) {
   std::vector<std::string> settings = {"robot=" + fs::absolute(robot).string()};
   if (!options.map.empty())
     settings.push_back("map_server.map=" + readable_map(options.map, options.root).string());
-  const Host checked(load_graph("robot", settings), {});
+  const Graph graph = load_graph("robot", settings);
+  refuse_without_driver(graph.shared.at("robot"), robot);
+  const Host checked(graph, {});
 
   write_robot(robot, below(options.root, "/etc/bandwagon/robots/" + name + ".yaml"));
   const fs::path options_file = below(options.root, "/etc/bandwagon/" + name + ".options");

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <queue>
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <Eigen/SparseCholesky>
 #include <ceres/ceres.h>
 
@@ -19,6 +21,8 @@ constexpr int kMostIterations = 30;   // with one scaling
 constexpr int kIterationsOfStep = 3;
 constexpr double kTrustRegion = 1e7;  // wide, since each step begins with it again
 constexpr double kUntrusted = 0.1;    // share of a loop's weight
+constexpr double kFarOff = 1000.0;    // chi^2 of a loop that is looked at twice
+constexpr double kAllowed = 25.0;     // chi^2 of what the drive allows
 
 // s below the scaling counts as it is, s far above as good as nothing: weight (2 k / (k + s))^2.
 class DynamicCovarianceScaling final : public ceres::LossFunction {
@@ -102,6 +106,20 @@ double weight_left(const Edge& loop, const std::vector<Pose2>& poses) {
   return weight_of(disagreement(loop, poses));
 }
 
+namespace {
+
+// Whether the drive allows a loop, by the covariance that its edges sum up to: five standard deviations.
+bool can_be(const Edge& loop, const std::vector<Edge>& edges, const std::vector<Pose2>& poses) {
+  std::vector<Edge> drive;
+  std::ranges::copy_if(edges, std::back_inserter(drive), [](const Edge& edge) { return !edge.loop; });
+  const UncertainPose by_drive = relative_to(loop.from, drive, poses)[loop.to];
+  const Eigen::Matrix3d C = by_drive.covariance + loop.X.covariance;
+  const Eigen::Vector3d e = difference(by_drive.X, loop.X.X);
+  return e.dot(C.inverse() * e) <= kAllowed;
+}
+
+}  // namespace
+
 struct Optimisation::Problem {
   DynamicCovarianceScaling loss{kScaling};
   std::vector<std::array<double, 3>> values;
@@ -132,7 +150,10 @@ Optimisation::Optimisation(const std::vector<Edge>& edges, const std::vector<Pos
     if (has_edge[k]) p.problem.AddParameterBlock(p.values[k].data(), 3);
   double worst = kScaling;
   for (const Edge& edge : edges) {
-    if (edge.loop) worst = std::max(worst, disagreement(edge, poses));
+    const double s = edge.loop ? disagreement(edge, poses) : 0.0;
+    // It would pull the others away before it is judged.
+    if (s > kFarOff && !can_be(edge, edges, poses)) continue;
+    worst = std::max(worst, s);
     p.problem.AddResidualBlock(new EdgeResidual(edge.X, whitening(edge.X.covariance)),
                                edge.loop ? &p.loss : nullptr, p.values[edge.from].data(),
                                p.values[edge.to].data());

@@ -27,7 +27,7 @@ double weight_left(const Edge& loop, const std::vector<Pose2>& poses);
 
 /// Finds the poses that fit best, in short steps: a graph of 700 submaps takes some
 /// milliseconds each. Graduated: what is far off at first is let pull before it is judged (graduated
-/// non-convexity, Yang 2020; theory.md 10.10).
+/// non-convexity, Yang 2020; theory.md 10.10), unless it is a loop that the drive does not allow.
 class Optimisation {
  public:
   /// The first pose that has an edge stays where it is, and those that have none.

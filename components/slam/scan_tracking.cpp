@@ -12,7 +12,6 @@ constexpr int kIterations = 10;
 constexpr double kGoodMatch = 0.6;         // share of inliers with which nothing else is searched for
 constexpr double kLeastMatch = 0.15;       // with less the scan says nothing
 constexpr double kHardlyMeets = 0.35;      // a scan of another place does at most
-constexpr std::size_t kFewPoints = 30;     // say nothing of the place
 constexpr double kHardlyMoved = 0.3;       // [m, rad] what is in view is the same
 constexpr double kRefinedFrom = 0.2;       // [m] up to which refinement finds the way by itself
 constexpr double kRefinedFromTurn = 0.05;  // [rad]

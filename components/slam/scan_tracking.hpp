@@ -24,6 +24,9 @@ struct Tracked {
   std::optional<Submap> finished;  ///< placement is in it still; later ones are in the next
 };
 
+/// Points of a scan; fewer say nothing of where the robot is.
+inline constexpr std::size_t kFewPoints = 30;
+
 class ScanTracking {
  public:
   /// All of it between two scans, but which of them are held back.

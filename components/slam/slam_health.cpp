@@ -9,7 +9,6 @@ namespace {
 
 constexpr int kKidnappedAfter = 5;      // scans
 constexpr double kDoubtful = 0.3;       // share of beams that must meet the map
-constexpr std::size_t kFewPoints = 30;  // say nothing of where the robot is
 constexpr double kUnseenFor = 1.0;      // [s] before it is worth a word
 constexpr double kWindow = 1.0;         // [s] over which slip is summed
 constexpr double kSlip = 0.08;          // [m]
@@ -17,7 +16,6 @@ constexpr double kSlipShare = 0.3;      // of what the wheels say
 constexpr double kTurnSlip = 0.15;      // [rad]
 constexpr double kTelling = 0.6;        // share of inliers of a scan that tells of slip
 constexpr double kFastest = 3.0;        // [m/s] of any base this is for
-constexpr double kToldFor = 5.0;        // [s] a jump
 
 }  // namespace
 

@@ -31,6 +31,9 @@ struct SlamHealth {
   double by_scans = 0.0;
 };
 
+/// [s] what is over is told so long: a jump, having been carried
+inline constexpr double kToldFor = 5.0;
+
 /// Looks at each scan as it was tracked.
 class HealthWatch {
  public:

@@ -20,15 +20,19 @@ std::string printable(std::string_view text) {
   return out;
 }
 
+/// Each once: a section such as `robot` is read by every component that uses it.
 std::string lines_of(const std::vector<Violation>& violations) {
+  std::vector<std::string> lines;
+  for (const Violation& violation : violations) {
+    std::string line = violation.text();
+    if (std::ranges::find(lines, line) == lines.end()) lines.push_back(std::move(line));
+  }
   std::string out;
-  for (std::size_t i = 0; i < std::min(violations.size(), kMaxLines); ++i) {
+  for (std::size_t i = 0; i < std::min(lines.size(), kMaxLines); ++i) {
     if (i > 0) out += '\n';
-    out += violations[i].text();
+    out += lines[i];
   }
-  if (violations.size() > kMaxLines) {
-    out += "\nand " + std::to_string(violations.size() - kMaxLines) + " more";
-  }
+  if (lines.size() > kMaxLines) out += "\nand " + std::to_string(lines.size() - kMaxLines) + " more";
   return out;
 }
 

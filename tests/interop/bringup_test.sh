@@ -1,23 +1,7 @@
 #!/usr/bin/env bash
 # bringup_test.sh ROOT PROGRAM: launch_scripts/bringup.sh without hardware: what it refuses, and one run with emulators from the first line to rest.
-set -euo pipefail
-root=$1
-bringup=$root/launch_scripts/bringup.sh
-program=$2
-export BANDWAGON_PROGRAM=$program
-folder=$(mktemp -d)
-running=
-clean_up() {
-  [[ -z $running ]] || kill -TERM "$running" 2>/dev/null || true
-  [[ -z $running ]] || wait "$running" 2>/dev/null || true
-  rm -rf "$folder"
-}
-trap clean_up EXIT
-fail() {
-  echo "FAILED: $1"
-  [[ ! -s $folder/out ]] || tail -n 40 "$folder/out"
-  exit 1
-}
+# shellcheck source=tests/interop/bringup_common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/bringup_common.sh"
 refused() { # refused STATUS WORDS ARGUMENTS...
   local status=0
   "$bringup" "${@:3}" >"$folder/out" 2>&1 || status=$?
@@ -39,33 +23,15 @@ sed 's#/dev/kobuki#/dev/no-kobuki-here#' "$root/config/robots/kobuki.yaml" >"$fo
 refused 1 'robot.base: /dev/no-kobuki-here at 115200 bit/s: no such device' "$folder/absent.yaml"
 grep -qF 99-bandwagon.rules "$folder/out" || fail "does not name the rule file"
 
-seen() { # seen WORDS: in its output, within a minute
-  local i
-  for ((i = 0; i < 600; i++)); do
-    grep -qF -- "$1" "$folder/out" && return
-    kill -0 "$running" 2>/dev/null || return 1
-    read -rt 0.1 <> <(:) || true
-  done
-  return 1
-}
-BANDWAGON_LOG_DIR=$folder/logs "$bringup" "$root/config/robots/kobuki.yaml" --emulate --no-page >"$folder/out" 2>&1 &
-running=$!
-seen 'Up: base, laser and all components.' || fail "is not up"
+# shellcheck disable=SC2119  # no options
+up
 grep -q '^base: pid' "$folder/logs/manifest.yaml" || fail "the base has no process of its own"
 # What config/robots/README.md has its reader type while the robot is up, and what it says of the answers.
-answers() { # answers WORDS COMMAND...
-  "$program" "${@:2}" >"$folder/answer" 2>&1 || fail "status $? of ${*:2}: $(cat "$folder/answer")"
-  grep -q -- "$1" "$folder/answer" || fail "'${*:2}' does not say '$1': $(cat "$folder/answer")"
-}
 answers 'is_latched: false' topic echo /base_state --once --for 30
 answers 'child_frame_id: base_link' topic echo /odom --once --for 30
 answers 'success: true' service call /release_stop
 answers 'real-time\|memory' doctor --ports
-kill -TERM "$running"
-status=0
-wait "$running" || status=$?
-running=
-((status == 0)) || fail "status $status after it was stopped"
+down
 mapfile -t ids < <(sed -n 's/.*: pid //p' "$folder/logs/manifest.yaml")
 ((${#ids[@]} >= 4)) || fail "fewer than four processes: ${ids[*]}"
 for id in "${ids[@]}"; do

@@ -22,7 +22,6 @@ constexpr int kPiecesPerScan =
     6;  // of the work on loops: at 10 scans/s a submap's is done before the next comes
 constexpr int kDrawnPerScan = 4;            // scans of the map
 constexpr std::size_t kTilesPerScan = 500;  // of the map to be published: half a millisecond
-constexpr double kToldFor = 5.0;            // [s] what is over again
 constexpr double kOldestTracks = 0.5;       // [s] older ones do not say where people are
 
 std::string seconds(Time time) { return fmt::format("{:.3f}", time.to_seconds()); }

@@ -1,9 +1,6 @@
-// Has the robot explore until its map is closed, and stops it.
+// Lets the robot drive to where its map ends, and stops it.
 import { create } from "../dom";
 import type { Hand, HandsContext } from "./context";
-
-const BOOL = "std_msgs/msg/Bool";
-const STRING = "std_msgs/msg/String";
 
 /** Hidden where nobody explores. */
 export class Explore implements Hand {
@@ -14,17 +11,13 @@ export class Explore implements Hand {
   }
 
   update(): void {
-    const status = this.topic("status");
-    const channels = this.context.app.source?.channels() ?? [];
-    this.root.hidden = !channels.some(({ topic, type }) => topic === status && type === STRING);
+    const { app } = this.context;
+    this.root.hidden = !(app.source?.channels() ?? []).some(({ topic }) => topic === `${app.robot}/explore/status`);
   }
 
-  private topic(name: string): string {
-    return `${this.context.app.robot}/explore/${name}`;
-  }
-
-  private button(label: string, test: string, data: boolean): HTMLButtonElement {
-    const onclick = () => void this.context.run(label, () => this.context.app.hands.publish(this.topic("resume"), BOOL, { data }));
-    return create("button", { type: "button", "data-test": test, onclick }, label);
+  private button(label: string, test: string, data: boolean): HTMLElement {
+    const { app } = this.context;
+    const tell = () => this.context.run(label, () => app.hands.publish(`${app.robot}/explore/resume`, "std_msgs/msg/Bool", { data }));
+    return create("button", { type: "button", "data-test": test, onclick: () => void tell() }, label);
   }
 }
