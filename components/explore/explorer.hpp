@@ -22,7 +22,7 @@ std::string_view to_string(ExploreState state);
 
 struct ExplorerOptions {
   double gain_scale = 0.1;     ///< [m] of path that a metre of frontier is worth
-  double hysteresis = 2.0;     ///< another frontier must cost so much less than the one in hand [m]
+  double hysteresis = 1.0;     ///< another frontier must cost so much less than the one in hand [m]
   bool return_to_init = true;  ///< when nothing is left
 };
 

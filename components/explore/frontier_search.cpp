@@ -15,6 +15,10 @@ constexpr ObstacleRule kOccupied{.unknown_is_obstacle = false};
 constexpr ObstacleRule kNotKnownFree{.unknown_is_obstacle = true};
 constexpr double kBeside = 0.5;   // [m] from a robot that stands where it does not fit to where it does
 constexpr double kLooksIn = 1.5;  // [m] from a goal to its frontier
+constexpr double kRoom = 0.15;    // [m] that a goal has around the robot, where there is such a place
+
+/// Around a goal, beside what the robot takes up.
+enum class Room { wanted, none };
 
 class Search {
  public:
@@ -30,6 +34,7 @@ class Search {
     seen_.assign(map_.cells.size(), 0);
     const std::vector<bool> is_safe = cells_for_disc(map_, options_.radius, kNotKnownFree);
     path_ = wavefront(map_, is_safe, cells_beside(map_, is_safe, robot, kBeside));
+    is_roomy_ = cells_for_disc(map_, options_.radius + kRoom, kNotKnownFree);
     std::vector<bool> taken(map_.cells.size(), false);
     for (int row = 0; row < map_.height; ++row)
       for (int column = 0; column < map_.width; ++column)
@@ -73,9 +78,10 @@ class Search {
     const Cell centre = *std::ranges::min_element(
         cells, {}, [&](Cell c) { return (map_.center(c.column, c.row) - mean).squaredNorm(); });
     frontier.centre = map_.center(centre.column, centre.row);
-    std::optional<Cell> goal = goal_before({centre}, frontier.centre);
-    if (!goal)
-      goal = goal_before(cells, frontier.centre);  // of a long one some other part may be near enough
+    std::optional<Cell> goal = goal_before({centre}, frontier.centre, Room::wanted);
+    if (!goal) goal = goal_before({centre}, frontier.centre, Room::none);
+    // Of a long one some other part may be near enough.
+    if (!goal) goal = goal_before(cells, frontier.centre, Room::none);
     if (!goal) {
       result.out_of_reach.push_back(frontier.centre);
       return;
@@ -89,7 +95,7 @@ class Search {
 
   // The nearest cell, by steps over cells where the robot fits, that a path leads to; of several the nearest to the
   // middle of where it begins.
-  std::optional<Cell> goal_before(const std::vector<Cell>& frontier, const Vector2& middle) {
+  std::optional<Cell> goal_before(const std::vector<Cell>& frontier, const Vector2& middle, Room room) {
     ++search_;
     const int most = static_cast<int>(kLooksIn / map_.resolution);
     std::vector<Cell> ring = frontier;
@@ -99,7 +105,8 @@ class Search {
       const auto away = [&](Cell c) { return (map_.center(c.column, c.row) - middle).squaredNorm(); };
       std::vector<Cell> next_ring;
       for (const Cell at : ring) {
-        if (path_[index(at)] < kUnreached && (!nearest || away(at) < away(*nearest))) nearest = at;
+        const bool is_goal = path_[index(at)] < kUnreached && (room == Room::none || is_roomy_[index(at)]);
+        if (is_goal && (!nearest || away(at) < away(*nearest))) nearest = at;
         for_neighbours(map_, at, [&](Cell next) {
           if (seen_[index(next)] == search_ || joined_[index(next)] == kUnreached) return;
           seen_[index(next)] = search_;
@@ -116,7 +123,8 @@ class Search {
   FrontierOptions options_;
   std::vector<double> joined_;  // where the robot fits if what is unknown is free; lengths of ways there [m]
   std::vector<double> path_;    // the same without touching what is unknown
-  std::vector<int> seen_;       // by which search for a goal
+  std::vector<bool> is_roomy_;
+  std::vector<int> seen_;  // by which search for a goal
   int search_ = 0;
 };
 

@@ -163,7 +163,7 @@ class ExploreComponent final : public Component {
     if (!has_pose) return std::string(kNoPose);
     if (!is_ready_()) return "nobody offers navigate_to_pose";
     // A goal in hand waits with the base; a new one would be refused.
-    if (const auto stop = base_.at(now); stop && !goal_) return in_words(*stop);
+    if (const auto stop = base_.at(now)) return in_words(*stop);
     return {};
   }
 

@@ -1,6 +1,6 @@
 // The component on its topics in lock-step: a room with two doors, a robot that stands still, and a script in place of
 // navigator and map. Numbers of the doors: frontier_search_test.cpp. The robot is a disc of 0.2 m, and stands at
-// (1.05, 1.45); the right door's goal is (3.85, 1.45), the left one's (0.15, 1.45), which is nearer.
+// (1.05, 1.45); the right door's goal is (3.75, 1.45), the left one's (0.25, 1.45), which is nearer.
 #include <functional>
 #include <optional>
 #include <string>
@@ -137,7 +137,7 @@ const auto kClosed = [](Play& play) { play.tell_map(closed_room()); };
 TEST(ExploreComponent, StartsPausedAndSendsTheNearerDoor) {
   Play play{.acts = {{0.5, kTwoDoors}, {3.55, kGo}}, .seconds = 6.0};
   run(play);
-  EXPECT_THAT(play.xs(), ElementsAre(0.15));
+  EXPECT_THAT(play.xs(), ElementsAre(0.25));
   EXPECT_GT(play.goals.at(0).at, 3.5);
   EXPECT_LT(play.goals.at(0).at, 4.6);  // it looks once a second
   ASSERT_THAT(play.statuses, SizeIs(2));
@@ -156,7 +156,7 @@ TEST(ExploreComponent, AVanishedFrontierGivesWayToTheNextAndThenItReturns) {
                      {11.5, [](Play& p) { p.succeed(); }}},
             .seconds = 13.0};
   run(play);
-  ASSERT_THAT(play.xs(), ElementsAre(0.15, 3.85, 1.05));
+  ASSERT_THAT(play.xs(), ElementsAre(0.25, 3.75, 1.05));
   EXPECT_NEAR(play.goals[2].at, 10.0, 0.1);
   ASSERT_FALSE(play.statuses.empty());
   EXPECT_EQ(play.statuses.back(), "exploration_complete: 3 goals, 0 not reached");
@@ -175,7 +175,7 @@ TEST(ExploreComponent, AFailureComesOntoTheBlacklistAndHasASecondChance) {
             .seconds = 15.0};
   run(play);
   // Both fail, both are tried again, and then it gives up.
-  EXPECT_THAT(play.xs(), ElementsAre(0.15, 3.85, 0.15, 3.85, 1.05));
+  EXPECT_THAT(play.xs(), ElementsAre(0.25, 3.75, 0.25, 3.75, 1.05));
   EXPECT_EQ(
       play.statuses.back(),
       "exploration_complete: 5 goals, 4 not reached; left: (-0.0, 1.5) not reached: no way; (4.1, 1.5) not "
@@ -185,7 +185,7 @@ TEST(ExploreComponent, AFailureComesOntoTheBlacklistAndHasASecondChance) {
 TEST(ExploreComponent, PausingCancelsTheGoalAndResumingSendsItAgain) {
   Play play{.acts = {{0.5, kTwoDoors}, {1.5, kGo}, {4.5, kStop}, {8.5, kGo}}};
   run(play);
-  ASSERT_THAT(play.xs(), ElementsAre(0.15, 0.15));
+  ASSERT_THAT(play.xs(), ElementsAre(0.25, 0.25));
   EXPECT_TRUE(play.goals[0].canceled);
   EXPECT_GT(play.goals[1].at, 8.5);
   EXPECT_THAT(play.statuses.at(2), StartsWith("exploration_paused"));
@@ -194,7 +194,7 @@ TEST(ExploreComponent, PausingCancelsTheGoalAndResumingSendsItAgain) {
 TEST(ExploreComponent, WhoeverTakesTheRobotOverKeepsIt) {
   Play play{.acts = {{0.5, kTwoDoors}, {1.5, kGo}, {4.5, [](Play& p) { p.abort("preempted by goal 7"); }}}};
   run(play);
-  EXPECT_THAT(play.xs(), ElementsAre(0.15));
+  EXPECT_THAT(play.xs(), ElementsAre(0.25));
   EXPECT_THAT(play.statuses.back(), StartsWith("exploration_paused"));
 }
 
@@ -205,7 +205,7 @@ TEST(ExploreComponent, WithoutAPoseNoFrontierIsBlamed) {
                      {6.5, [](Play& p) { p.abort("no pose"); }},
                      {8.5, [](Play& p) { p.has_pose = true; }}}};
   run(play);
-  ASSERT_THAT(play.xs(), ElementsAre(3.85, 3.85));
+  ASSERT_THAT(play.xs(), ElementsAre(3.75, 3.75));
   EXPECT_GT(play.goals[1].at, 8.5);
   EXPECT_THAT(play.statuses, Contains(HasSubstr("waits: odometry/filtered does not say where the robot is")));
   EXPECT_EQ(play.statuses.back(), "exploration_in_progress: 2 goals, 0 not reached");
@@ -234,7 +234,7 @@ TEST(ExploreComponent, FollowsUpdatesOfTheMap) {
     p.updates.publish(update);
   });
   run(play);
-  EXPECT_THAT(play.xs(), ElementsAre(0.15, 3.85));
+  EXPECT_THAT(play.xs(), ElementsAre(0.25, 3.75));
 }
 
 }  // namespace

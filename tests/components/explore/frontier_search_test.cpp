@@ -53,11 +53,11 @@ TEST(Frontiers, ADoor) {
   EXPECT_NEAR(door.length, 0.6, 1e-9);
   EXPECT_NEAR(door.centre.x(), 4.05, 1e-9);
   EXPECT_NEAR(door.centre.y(), 1.45, 1e-9);
-  // What is unknown begins with the cells at 4.15: the last ones 0.25 m before are at 3.85. 28 cells to go.
-  EXPECT_NEAR(door.goal.x, 3.85, 1e-9);
+  // What is unknown begins with the cells at 4.15. With 0.15 m of room a goal is 0.4 m before: at 3.75, 27 cells to go.
+  EXPECT_NEAR(door.goal.x, 3.75, 1e-9);
   EXPECT_NEAR(door.goal.y, 1.45, 1e-9);
   EXPECT_NEAR(door.goal.theta, 0.0, 1e-9);
-  EXPECT_NEAR(door.path_length, 2.8, 1e-9);
+  EXPECT_NEAR(door.path_length, 2.7, 1e-9);
 }
 
 TEST(Frontiers, AGapNarrowerThanTheRobotIsNone) {
@@ -72,6 +72,17 @@ TEST(Frontiers, NoneOfAClosedRoom) {
   EXPECT_TRUE(search.is_placed);
   EXPECT_TRUE(search.frontiers.empty());
   EXPECT_TRUE(search.out_of_reach.empty());
+}
+
+TEST(Frontiers, AGoalIsWhereThereIsRoomAndElseWhereItFits) {
+  // A passage of 0.6 m to the door, from x = 2 on: nowhere in it there are 0.4 m to both sides, and the last cell with
+  // 0.25 m before what is unknown is 3.85. From 2.65 on the room is farther off than 1.5 m.
+  OccupancyGrid map = room_with_door(12, 18);
+  fill(map, 20, 0, 41, 12, OccupancyGrid::kOccupied);
+  fill(map, 20, 18, 41, 30, OccupancyGrid::kOccupied);
+  const FrontierSearch search = find_frontiers(map, kStand, kRobot);
+  ASSERT_EQ(search.frontiers.size(), 1U);
+  EXPECT_NEAR(search.frontiers[0].goal.x, 3.85, 1e-9);
 }
 
 TEST(Frontiers, ShorterOnesThanTheLeastAreNone) {
@@ -95,9 +106,9 @@ TEST(Frontiers, TheNearestComesFirst) {
   const FrontierSearch search = find_frontiers(map, kStand, kRobot);
   ASSERT_EQ(search.frontiers.size(), 2U);
   EXPECT_LT(search.frontiers[0].centre.x(), 0.0);
-  // From 1.05 to 0.15, where what is unknown at -0.15 is 0.3 m away.
-  EXPECT_NEAR(search.frontiers[0].path_length, 0.9, 1e-9);
-  EXPECT_NEAR(search.frontiers[1].path_length, 2.8, 1e-9);
+  // From 1.05 to 0.25, where what is unknown at -0.15 is 0.4 m away.
+  EXPECT_NEAR(search.frontiers[0].path_length, 0.8, 1e-9);
+  EXPECT_NEAR(search.frontiers[1].path_length, 2.7, 1e-9);
 }
 
 TEST(Frontiers, WhatNoKnownGroundLeadsToIsTold) {
