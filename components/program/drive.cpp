@@ -25,9 +25,9 @@
 #include "components/program/score_card_json.hpp"
 #include "components/program/snapshots.hpp"
 #include "components/program/taps.hpp"
-#include "runtime/base/process_memory.hpp"
 #include "runtime/cli/signals.hpp"
 #include "runtime/parameters/overrides.hpp"
+#include "runtime/process_memory.hpp"
 
 namespace bw {
 namespace {

@@ -22,7 +22,7 @@ constexpr int kIterationsOfStep = 3;
 constexpr double kTrustRegion = 1e7;  // wide, since each step begins with it again
 constexpr double kUntrusted = 0.1;    // share of a loop's weight
 constexpr double kFarOff = 1000.0;    // chi^2 of a loop that is looked at twice
-constexpr double kAllowed = 25.0;     // chi^2 of what the drive allows
+constexpr double kAllowed = 100.0;    // chi^2 of what the drive allows
 
 // s below the scaling counts as it is, s far above as good as nothing: weight (2 k / (k + s))^2.
 class DynamicCovarianceScaling final : public ceres::LossFunction {
@@ -108,7 +108,7 @@ double weight_left(const Edge& loop, const std::vector<Pose2>& poses) {
 
 namespace {
 
-// Whether the drive allows a loop, by the covariance that its edges sum up to: five standard deviations.
+// Whether the drive allows a loop, by the covariance that its edges sum up to: ten standard deviations.
 bool can_be(const Edge& loop, const std::vector<Edge>& edges, const std::vector<Pose2>& poses) {
   std::vector<Edge> drive;
   std::ranges::copy_if(edges, std::back_inserter(drive), [](const Edge& edge) { return !edge.loop; });

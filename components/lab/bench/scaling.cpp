@@ -11,8 +11,8 @@
 #include "components/local_planner/teb/band_optimizer.hpp"
 #include "components/local_planner/teb/teb_options.hpp"
 #include "components/model/differential_drive.hpp"
-#include "runtime/base/process_memory.hpp"
 #include "runtime/base/quantile.hpp"
+#include "runtime/process_memory.hpp"
 
 namespace bw {
 namespace {

@@ -14,10 +14,10 @@
 #include "components/program/map/map_making.hpp"
 #include "components/slam/files/slam_settings.hpp"
 #include "runtime/atomic_file.hpp"
-#include "runtime/base/process_memory.hpp"
 #include "runtime/cli/signals.hpp"
 #include "runtime/cli/terminal.hpp"
 #include "runtime/cli/verb.hpp"
+#include "runtime/process_memory.hpp"
 
 namespace bw {
 namespace {
