@@ -213,6 +213,7 @@ void LoopClosing::look(View& view, std::size_t before) const {
   }
   const std::size_t stride = std::max<std::size_t>(1, (submap.last_node - first.first_node) / kImages);
   for (std::size_t n = first.first_node; n < submap.last_node && n < nodes_.size(); n += stride) {
+    if (!nodes_[n].ranges) continue;  // of a file alone: a newest submap that left
     const Placement& placement = nodes_[n].placement;
     view.images.push_back(nodes_[n].ranges.get());
     view.X_SB.push_back(X_SK[later - placement.submap] * placement.X_SB);
