@@ -89,7 +89,7 @@ bool Explorer::stands_before_it(const std::vector<Frontier>& frontiers) {
   const bool is_there =
       std::ranges::any_of(frontiers, [&](const Frontier& f) { return are_near(f.centre, *reached_); });
   if (is_there && ++looks_ < kLooks) return true;
-  if (is_there) blacklist(*reached_, "nothing more of it is seen from before it");
+  if (is_there) blacklist(*reached_, std::string(kNothingSeen));
   reached_.reset();
   return false;
 }

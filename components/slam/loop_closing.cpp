@@ -16,8 +16,7 @@ constexpr std::size_t kOverlapping =
 constexpr std::size_t kBefore = 2;   // [submaps] before the newest: it ended where the newest begins
 constexpr std::size_t kInView = 20;  // [submaps] along the drive; beyond, what is seen is seen again
 constexpr std::size_t kMostCandidates = 6;
-constexpr double kWide = 2.0;      // [m] beyond, a search is dear and finds look-alikes
-constexpr double kInReach = 12.0;  // [m] between frames of submaps that may share a place
+constexpr double kWide = 2.0;  // [m] beyond, a search is dear and finds look-alikes
 constexpr double kAllRound = 0.2;
 constexpr std::size_t kMostFar = 32;
 constexpr std::size_t kImages = 8;          // nodes that look through an earlier submap
@@ -111,9 +110,9 @@ bool LoopClosing::advance() {
   for (std::size_t k = 0; k <= newest; ++k) {
     const UncertainPose& X = search_->others[k];
     const double distance = X.X.position().norm();
-    if (submaps_[k].marginalised || distance > 2.0 * kInReach) continue;
+    if (submaps_[k].marginalised || distance > 2.0 * kPlaceReach) continue;
     around_.push_back(k);
-    if (distance > kInReach || overlap(k, newest)) continue;
+    if (distance > kPlaceReach || overlap(k, newest)) continue;
     if (3.0 * std::sqrt(X.covariance.topLeftCorner<2, 2>().trace()) <= kWide) review_.push_back(k);
   }
   search_.reset();

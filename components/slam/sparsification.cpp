@@ -9,7 +9,6 @@ namespace {
 
 constexpr double kSamePlace = 1.0;  // [m] from scan to scan
 constexpr double kBetween = 0.1;    // [m] in front of a wall counts as behind it
-constexpr double kFarthest = 12.0;  // [m] between frames of submaps that share a place
 constexpr double kAllAround = 0.9;  // of a full turn
 
 struct Seen {
@@ -54,7 +53,7 @@ bool is_seen_again(std::size_t submap, std::span<const std::size_t> around, std:
   std::vector<std::size_t> visits(scans.size(), 0);
   for (const std::size_t k : around) {
     if (k <= submap || submaps[k].marginalised ||
-        (X_MS[k].position() - X_MS[submap].position()).norm() > kFarthest)
+        (X_MS[k].position() - X_MS[submap].position()).norm() > kPlaceReach)
       continue;
     const std::vector<Seen> later = own_scans(k, submaps[k], X_MS[k], nodes);
     for (std::size_t i = 0; i < scans.size(); ++i) {

@@ -16,6 +16,9 @@ namespace bw::slam {
 /// Later visits until a submap may leave: what left the place with its furniture is on the map for so many more.
 inline constexpr std::size_t kLaterVisits = 2;
 
+/// [m] between the frames of submaps that may share a place.
+inline constexpr double kPlaceReach = 12.0;
+
 /// Submaps of one visit follow each other with less than this between their numbers; as near, they share scans.
 inline constexpr std::size_t kVisitApart = 3;
 
