@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -9,10 +8,10 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "components/files/csv_file.hpp"
 #include "components/lab/bench/bench_course.hpp"
+#include "components/lab/bench/shapes_file.hpp"
 #include "components/model/footprint_distance.hpp"
 #include "components/program/drive.hpp"
 #include "runtime/parameters/overrides.hpp"
@@ -20,28 +19,12 @@
 namespace bw {
 namespace {
 
-/// The posts as a file the world reads; gone with this.
-class PostsFile {
- public:
-  explicit PostsFile(const CourseWorld& world)
-      : path_(std::filesystem::temp_directory_path() / fmt::format("course_{}.csv", getpid())) {
-    std::ofstream file(path_);
-    file << "x_m,y_m,r_m\n";
-    for (const Disc& post : world.posts)
-      file << fmt::format("{},{},{}\n", post.center.x(), post.center.y(), post.radius);
-    if (!file.flush()) throw std::runtime_error(path_.string() + ": cannot be written");
-  }
-  ~PostsFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-  PostsFile(const PostsFile&) = delete;
-  PostsFile& operator=(const PostsFile&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
+std::string rows_of(const CourseWorld& world) {
+  std::string rows = "x_m,y_m,r_m\n";
+  for (const Disc& post : world.posts)
+    rows += fmt::format("{},{},{}\n", post.center.x(), post.center.y(), post.radius);
+  return rows;
+}
 
 /// When the robot was first so near to the goal [s since the start of the drive]: between two moments, at the
 /// share of the distance.
@@ -97,7 +80,7 @@ std::vector<CourseWorld> read_courses(const std::string& folder) {
 
 CourseOutcome drive_course(const Course& course, const std::string& planner,
                            const BenchCourseArguments& arguments) {
-  const PostsFile posts(course.world);
+  const ShapesFile posts("course", rows_of(course.world));
   Graph graph = load_graph(arguments.graph, arguments.set);
   apply_override(graph, parse_override("world.track_circles=" + posts.path().string()));
   apply_override(graph, parse_override("local_planner.algorithm=" + planner));

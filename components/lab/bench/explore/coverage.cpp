@@ -28,7 +28,7 @@ class Tour {
   const OccupancyGrid& map() const { return place_.truth; }
   std::size_t index(Cell c) const { return map().index(c.column, c.row); }
 
-  // Along the shortest way to the nearest cell that was not seen, until it is.
+  // Along the shortest path to the nearest cell that was not seen, until it is.
   void go_to(const std::vector<double>& length) {
     std::size_t target = 0;
     double nearest = explore::kUnreached;
@@ -37,19 +37,19 @@ class Tour {
       nearest = length[i];
       target = i;
     }
-    if (nearest == explore::kUnreached) throw std::logic_error("a cell to see that no way leads to");
+    if (nearest == explore::kUnreached) throw std::logic_error("a cell to see that no path leads to");
     const auto width = static_cast<std::size_t>(map().width);
-    std::vector<Cell> way{{static_cast<int>(target % width), static_cast<int>(target / width)}};
-    while (length[index(way.back())] > 0.0) {
-      Cell next = way.back();
-      explore::for_neighbours(map(), way.back(), [&](Cell cell) {
+    std::vector<Cell> path{{static_cast<int>(target % width), static_cast<int>(target / width)}};
+    while (length[index(path.back())] > 0.0) {
+      Cell next = path.back();
+      explore::for_neighbours(map(), path.back(), [&](Cell cell) {
         if (length[index(cell)] < length[index(next)]) next = cell;
       });
-      way.push_back(next);
+      path.push_back(next);
     }
     const double whole = length_;
-    for (std::size_t k = way.size() - 1; k-- > 0 && !seen_.is_known(target);) {
-      at_ = way[k];
+    for (std::size_t k = path.size() - 1; k-- > 0 && !seen_.is_known(target);) {
+      at_ = path[k];
       length_ = whole + length[index(at_)];
       seen_.look(at_);
     }

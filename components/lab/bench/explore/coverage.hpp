@@ -23,7 +23,7 @@ Explorable explorable(const buildings::Building& building, double radius, double
 /// Share of these cells at whose centres `map` is known to be free.
 double coverage(const Explorable& place, const OccupancyGrid& map);
 
-/// Length [m] of a tour of somebody who knows the building: always by the shortest way towards the nearest cell that
+/// Length [m] of a tour of somebody who knows the building: always by the shortest path towards the nearest cell that
 /// was not seen, until it is; all around to `range` [m]. It ends when 99.5 % were seen.
 double greedy_tour(const Explorable& place, double range);
 

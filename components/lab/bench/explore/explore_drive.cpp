@@ -1,7 +1,5 @@
 #include "components/lab/bench/explore/explore_drive.hpp"
 
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <stdexcept>
 
@@ -9,9 +7,9 @@
 #include <fmt/format.h>
 #include <std_msgs/msg/bool.hpp>
 #include <std_msgs/msg/string.hpp>
-#include <unistd.h>
 
 #include "components/explore/adaptor/explore_component.hpp"
+#include "components/lab/bench/shapes_file.hpp"
 #include "components/messages/geometry.hpp"
 #include "components/messages/grid.hpp"
 #include "components/messages/map_input.hpp"
@@ -24,28 +22,12 @@
 namespace bw {
 namespace {
 
-/// The walls as a file that the world reads; gone with this.
-class WallsFile {
- public:
-  explicit WallsFile(const buildings::Building& building)
-      : path_(std::filesystem::temp_directory_path() / fmt::format("building_{}.csv", getpid())) {
-    std::ofstream file(path_);
-    file << "x1_m,y1_m,x2_m,y2_m\n";
-    for (const Segment& wall : building.walls)
-      file << fmt::format("{},{},{},{}\n", wall.a.x(), wall.a.y(), wall.b.x(), wall.b.y());
-    if (!file.flush()) throw std::runtime_error(path_.string() + ": cannot be written");
-  }
-  ~WallsFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-  WallsFile(const WallsFile&) = delete;
-  WallsFile& operator=(const WallsFile&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
+std::string rows_of(const buildings::Building& building) {
+  std::string rows = "x1_m,y1_m,x2_m,y2_m\n";
+  for (const Segment& wall : building.walls)
+    rows += fmt::format("{},{},{},{}\n", wall.a.x(), wall.a.y(), wall.b.x(), wall.b.y());
+  return rows;
+}
 
 /// Says "go", follows what comes of it, and ends the run a while after it is complete.
 class ExploreObserver final : public Component {
@@ -78,7 +60,7 @@ class ExploreObserver final : public Component {
     seen_->contacts = truth.contacts();
     if (seen_->complete) return;
     const Vector2 at = from_pose(truth.pose()).position();
-    if (last_) seen_->way += (at - *last_).norm();
+    if (last_) seen_->travel += (at - *last_).norm();
     last_ = at;
     seen_->time = (now - LockstepRunner::kStart).to_seconds();
   }
@@ -109,7 +91,7 @@ class ExploreObserver final : public Component {
 }  // namespace
 
 ExploreDrive explore_building(const buildings::Building& building, const ExploreDriveOptions& options) {
-  const WallsFile walls(building);
+  const ShapesFile walls("building", rows_of(building));
   const Vector2 start = building.route.front();
   std::vector<std::string> set = {
       "emulate=true",

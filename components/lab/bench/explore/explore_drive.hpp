@@ -25,7 +25,7 @@ struct ExploreDrive {
   std::string status;     ///< the last that `explore/status` said
   bool complete = false;  ///< by what it says
   double time = 0.0;      ///< until then [s]
-  double way = 0.0;       ///< that was driven until then, by the truth [m]
+  double travel = 0.0;    ///< that was driven until then, by the truth [m]
   std::uint32_t contacts = 0;
   double radius = 0.0;               ///< of the robot [m]
   std::optional<OccupancyGrid> map;  ///< at the end

@@ -20,7 +20,7 @@ class IdealRobot {
   }
 
   const GrowingMap& seen() const { return seen_; }
-  double way() const { return way_; }
+  double travel() const { return travel_; }
   Vector2 position() const { return seen_.map().center(at_.column, at_.row); }
 
   /// For one period; true when it is there, or cannot go on.
@@ -44,7 +44,7 @@ class IdealRobot {
       at_ = next;
       seen_.look(at_);
     }
-    way_ += before - left(at_);
+    travel_ += before - left(at_);
     return left(at_) == 0.0;
   }
 
@@ -52,7 +52,7 @@ class IdealRobot {
   IdealExplorationOptions options_;
   GrowingMap seen_;
   Cell at_;
-  double way_ = 0.0;
+  double travel_ = 0.0;
 };
 
 }  // namespace
@@ -76,7 +76,7 @@ IdealExploration explore_ideally(const Explorable& place, const IdealExploration
     explorer.goal_ended(explore::GoalEnd::reached, "");
   }
   return {.complete = explorer.state() == explore::ExploreState::complete,
-          .way = robot.way(),
+          .travel = robot.travel(),
           .known = robot.seen().share(),
           .goals = explorer.goals(),
           .left = explorer.left().size()};

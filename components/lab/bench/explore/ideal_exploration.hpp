@@ -1,4 +1,4 @@
-// Exploring without errors: a robot that goes by the shortest way to what `explore` tells it, and a map that is right at
+// Exploring without errors: a robot that goes by the shortest path to what `explore` tells it, and a map that is right at
 // once. For comparing choices of the next frontier in many buildings; whole robots: explore_drive.hpp.
 #pragma once
 
@@ -9,7 +9,7 @@ namespace bw {
 
 struct IdealExploration {
   bool complete = false;  ///< else it took longer than `longest`
-  double way = 0.0;       ///< until it was [m]
+  double travel = 0.0;    ///< until it was [m]
   double known = 0.0;     ///< share of the cells to explore
   std::size_t goals = 0;
   std::size_t left = 0;  ///< frontiers that it gave up

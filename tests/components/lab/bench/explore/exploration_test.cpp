@@ -63,10 +63,10 @@ TEST(IdealExploration, ClosesTheMapAndIsTheSameTwice) {
   EXPECT_TRUE(a.complete);
   EXPECT_EQ(a.left, 0U);
   EXPECT_GE(a.known, 0.995);
-  EXPECT_GT(a.way, 2.0);
-  EXPECT_LT(a.way, 12.0);
+  EXPECT_GT(a.travel, 2.0);
+  EXPECT_LT(a.travel, 12.0);
   const IdealExploration b = explore_ideally(place, options);
-  EXPECT_EQ(a.way, b.way);
+  EXPECT_EQ(a.travel, b.travel);
   EXPECT_EQ(a.goals, b.goals);
 }
 
@@ -74,7 +74,7 @@ TEST(IdealExploration, OfOneRoomIsOverWithoutAStep) {
   const IdealExploration made = explore_ideally(explorable(one_room(), 0.2, 0.1), {.radius = 0.2});
   EXPECT_TRUE(made.complete);
   EXPECT_EQ(made.goals, 0U);
-  EXPECT_DOUBLE_EQ(made.way, 0.0);
+  EXPECT_DOUBLE_EQ(made.travel, 0.0);
   EXPECT_DOUBLE_EQ(made.known, 1.0);
 }
 

@@ -19,8 +19,8 @@ TEST(ExploreDrive, AKobukiMakesTheMapOfTwoRooms) {
   EXPECT_TRUE(drive.complete) << drive.status;
   EXPECT_EQ(drive.contacts, 0U);
   EXPECT_DOUBLE_EQ(drive.radius, 0.18);
-  EXPECT_GT(drive.way, 2.0);  // the tour of somebody who knows them is longer: exploration_test.cpp
-  EXPECT_LT(drive.way, 15.0);
+  EXPECT_GT(drive.travel, 2.0);  // the tour of somebody who knows them is longer: exploration_test.cpp
+  EXPECT_LT(drive.travel, 15.0);
   ASSERT_TRUE(drive.map);
   EXPECT_GE(coverage(explorable(test::two_rooms(), drive.radius, 0.05), *drive.map), 0.98);
 }
