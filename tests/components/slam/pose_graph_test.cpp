@@ -152,6 +152,29 @@ TEST(PoseGraph, ALoopFarOffThatOdometryAllowsIsClosed) {
   EXPECT_LT(disagreement(edges.back(), found), 7.8) << "it counts in full";
 }
 
+// Along a chain it is the sum that the surest path has; two edges that agree say it twice as surely; and a loop that the
+// poses contradict by far says nothing.
+TEST(PoseGraph, TheMarginalIsOfAllEdgesTogether) {
+  Random random(3);
+  std::vector<Pose2> poses{test::random_pose(random, 5.0, 3.0)};
+  std::vector<Edge> chain;
+  for (std::size_t k = 1; k < 5; ++k) {
+    poses.push_back(poses.back() * test::random_pose(random, 4.0, 1.0));
+    chain.push_back({k - 1, k, {inverse(poses[k - 1]) * poses[k], sigmas(0.05, 0.02)}, false});
+  }
+  const Eigen::Matrix3d sum = relative_to(0, chain, poses)[4].covariance;
+  const UncertainPose of_chain = marginal(4, 0, chain, poses);
+  EXPECT_LT((of_chain.covariance - sum).norm(), 1e-5 * sum.norm());  // 1e-9 is added to each edge
+  EXPECT_LT(test::distance(of_chain.X, inverse(poses[0]) * poses[4]), 1e-12);
+
+  std::vector<Edge> twice{chain[0], chain[0]};
+  twice[1].loop = true;
+  EXPECT_LT((marginal(1, 0, twice, poses).covariance - 0.5 * chain[0].X.covariance).norm(), 1e-8);
+
+  twice[1].X.X.x += 50.0;
+  EXPECT_LT((marginal(1, 0, twice, poses).covariance - chain[0].X.covariance).norm(), 1e-8);
+}
+
 TEST(PoseGraph, OfNothingIsFinishedAtOnce) {
   EXPECT_FALSE(Optimisation({}, {}).step());
   EXPECT_FALSE(Optimisation({}, {{1.0, 2.0, 0.3}}).step());

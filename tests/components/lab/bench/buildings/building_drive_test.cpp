@@ -276,6 +276,30 @@ TEST(BuildingDrive, TheSameArgumentsGiveTheSameBytes) {
   EXPECT_FALSE(same_scans(alone, other));
 }
 
+// There and back in a room of 40 m, twice; in the second round a wall stands 1 m further ahead than the first round's.
+TEST(BuildingDrive, EachRoundIsDrivenInItsOwnArrangement) {
+  std::array<Building, 2> rounds{straight_room(3.0), straight_room(3.0)};
+  for (Building& room : rounds) room.route = {{2.0, 4.0}, {5.0, 4.0}, {2.0, 4.0}};
+  rounds[0].walls.push_back({{7.0, 1.0}, {7.0, 9.0}});
+  rounds[1].walls.push_back({{8.0, 1.0}, {8.0, 9.0}});
+  BuildingDriveOptions options;
+  options.wheels = perfect_wheels_of(options.base);
+  options.scanner.noise = 0.0;
+  const Rounds driven = drive_rounds(rounds, options);
+  ASSERT_EQ(driven.begin.size(), 2U);
+  const auto ahead = [&](Time time) {
+    const auto scan =
+        std::ranges::find_if(driven.drive.scans, [&](const ScanSample& s) { return s.time >= time; });
+    const ReferencePose at = *reference_at(driven.drive, scan->time, Duration::milliseconds(100));
+    const auto beam =
+        static_cast<std::size_t>(std::lround((-*at.heading + std::numbers::pi) / (std::numbers::pi / 180.0)));
+    return at.position.x() + static_cast<double>(scan->ranges[beam % 360]);
+  };
+  // Along +x to half a degree of a beam, from 5 m before it.
+  EXPECT_NEAR(ahead(driven.begin[0]), 7.0, 0.05);
+  EXPECT_NEAR(ahead(driven.begin[1]), 8.0, 0.05);
+}
+
 TEST(BuildingDrive, RefusesScannersThatCannotBe) {
   const Building room = straight_room(1.0);
   BuildingDriveOptions options;

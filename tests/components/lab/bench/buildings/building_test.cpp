@@ -68,6 +68,23 @@ TEST(Buildings, TheSameSeedGivesTheSameBuildingAndAnotherSeedAnother) {
 
 // 8 + 7 + 7 + 8 (office_plan.cpp). A corner of the route within 2.3 m of a room's centre is in that room:
 // half of the depth of the least, 4.6 m.
+// Furniture moves, rooms and the route do not; and arrangement 0 is the office of that seed.
+TEST(Buildings, AnOfficeIsFurnishedAnew) {
+  const auto same = [](const Segment& a, const Segment& b) { return a.a == b.a && a.b == b.b; };
+  const Building plain = make_building(BuildingKind::office, 3);
+  const Building first = make_office(3, 0);
+  const Building other = make_office(3, 1);
+  EXPECT_TRUE(std::ranges::equal(plain.walls, first.walls, same));
+  EXPECT_EQ(plain.route, other.route);
+  EXPECT_EQ(plain.rooms, other.rooms);
+  const auto stays = std::ranges::count_if(other.walls, [&](const Segment& wall) {
+    return std::ranges::any_of(plain.walls, [&](const Segment& w) { return same(w, wall); });
+  });
+  EXPECT_GE(stays, 100) << "walls of 30 rooms with a door each";
+  EXPECT_GE(static_cast<std::ptrdiff_t>(other.walls.size()) - stays, 4 * 60)
+      << "30 rooms with three pieces or more, hardly one where it stood";
+}
+
 TEST(Buildings, AnOfficeHasThirtyRoomsAndTheRouteVisitsEach) {
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const Building office = make_building(BuildingKind::office, seed);
