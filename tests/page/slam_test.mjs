@@ -24,6 +24,7 @@ test("somebody watches a map being made", async (t) => {
     graph: mapDrive,
     options: [
       ...["--set", "ideal_localization.enabled=false", "--set", "map_server.enabled=false", "--set", "slam.enabled=true"],
+      ...["--set", "explore.enabled=true"],
       ...["--set", `world.walls=[${walls.join(", ")}]`, "--set", "navigator.goal.enabled=false"],
       ...["--set", "global_planner.unknown_is_obstacle=false", "--set", `slam.folder=${folder}`, "--set", "slam.map_update_interval=1"],
       ...["--set", "slam.max_laser_range=5"],
@@ -94,6 +95,15 @@ test("somebody watches a map being made", async (t) => {
     await view.click("save-map");
     await eventually("why not", async () => /not saved/.test(await said()));
     await view.picture("slam_saved");
+  });
+
+  await t.test("it explores when it is told, and stops", async () => {
+    await view.click("explore");
+    await robot.process.says(/exploration_in_progress/);
+    await view.click("stop-exploring");
+    // It said so before it was told to begin, too.
+    await eventually("paused again", async () => robot.process.said.match(/exploration_paused/g).length >= 2);
+    await view.picture("slam_explore");
   });
 
   await t.test("the page had no errors", async () => {
