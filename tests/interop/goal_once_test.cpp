@@ -39,6 +39,13 @@ TEST(GoalsByOnce, AreAllTaken) {
   const std::string graph = (std::filesystem::temp_directory_path() / "goal_once.yaml").string();
   std::ofstream(graph) << kGraph;
   Process taker({BANDWAGON_PROGRAM, "run", graph});
+  // Who comes while it starts may know its readers before it is known itself. Fast DDS 3 hands out what it has to say of
+  // its writers a tenth of a second after it was asked, and the tool is gone by then.
+  const auto is_up = [] {
+    Process asked({BANDWAGON_PROGRAM, "lifecycle", "get", "navigator"});
+    return asked.wait(std::chrono::seconds(20)) == 0 && asked.out() == "active [3]\n";
+  };
+  ASSERT_TRUE(eventually(is_up)) << taker.err();
   const int count = goals();
   Process humble({GOAL_ONCE, "humble", "1", std::to_string(count)});
   Process jazzy({GOAL_ONCE, "jazzy", std::to_string(count + 1), std::to_string(count)});
