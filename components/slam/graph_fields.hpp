@@ -22,10 +22,10 @@ inline constexpr double kPi = std::numbers::pi;
 inline constexpr std::size_t kSurfaceBytes = 20;
 inline constexpr std::size_t kSubmapBytes = 24 + 4 + 24 + 72 + 8 + 1 + 4;
 inline constexpr std::size_t kEdgeBytes = 1 + 8 + 24 + 72;
-inline constexpr std::size_t kNodeBytes = 8 + 4 + 24 + 8 + 1;
+inline constexpr std::size_t kNodeBytes = 4 + 8 + 4 + 24 + 8 + 24 + 8 + 8 + 4;
 inline constexpr std::size_t kLoopBytes = kEdgeBytes + 32;
 
-/// How many there are, said in HEAD.
+/// How many there are, said in HEAD; of nodes, how many there ever were.
 struct Counts {
   std::size_t submaps = 0;
   std::size_t nodes = 0;
@@ -138,7 +138,7 @@ void fields(Io& io, Field<Io, Node> node, const Counts& counts) {
   io.index("submap", node.placement.submap, counts.submaps + counts.under_way);
   fields(io, node.placement.X_SB, kReachOfSubmap);
   io.real("share", node.placement.share, 0.0, 1.0);
-  io.optional(node.ranges, [&](auto& ranges) {
+  io.shared(node.ranges, [&](auto& ranges) {
     fields(io, ranges.X_BL, 1e6);
     io.real("angle_min", ranges.angle_min, -4.0 * kPi, 4.0 * kPi);
     io.real_either_sign("angle_increment", ranges.angle_increment, 1e-4, 0.5);

@@ -47,10 +47,9 @@ void check_marginalised(const Reader& reader, const SlamState& slam) {
   for (const Submap& submap : submaps)
     if (const auto& anchor = submap.marginalised)
       refuse_if(has_left(anchor->submap), "anchor", anchor->submap, "must be a submap that is there");
-  for (std::size_t n = 0; n < slam.nodes.size(); ++n) {
-    const std::size_t k = slam.nodes[n].placement.submap;
-    refuse_if(!slam.nodes[n].ranges && (k >= submaps.size() || !has_left(k)), "node", n,
-              "must have ranges, as its submap is there");
+  for (const auto& [number, node] : slam.nodes) {
+    const std::size_t k = node.placement.submap;
+    refuse_if(k < submaps.size() && has_left(k), "node", number, "must lie in a submap that is there");
   }
   // By edges of the drive, to the earliest submap of those that hang together.
   std::vector<std::size_t> earliest(submaps.size());
@@ -85,7 +84,7 @@ void check_marginalised(const Reader& reader, const SlamState& slam) {
 template <class Io>
 void sections(Io& io, graph::Field<Io, SavedGraph> saved) {
   auto& slam = saved.slam;
-  Counts counts{slam.closing.submaps.size(), slam.nodes.size(), 0};
+  Counts counts{slam.closing.submaps.size(), slam.counts.nodes, 0};
   io.section("HEAD", [&] {
     fields(io, slam.options);
     fields(io, saved.X_MW, graph::kFarthest);
@@ -94,6 +93,7 @@ void sections(Io& io, graph::Field<Io, SavedGraph> saved) {
     if constexpr (Io::kReads) {
       io.index("submaps", counts.submaps, kNone);
       io.index("nodes", counts.nodes, kNone);
+      slam.counts.nodes = counts.nodes;
     } else {
       io.index("submaps", counts.submaps, 0);
       io.index("nodes", counts.nodes, 0);
@@ -115,8 +115,16 @@ void sections(Io& io, graph::Field<Io, SavedGraph> saved) {
   io.section("TRCK", [&] { fields(io, slam.tracking, slam.options.resolution, counts); });
   counts.under_way = (slam.tracking.older ? 1U : 0U) + (slam.tracking.younger ? 1U : 0U);
   io.section("NODE", [&] {
-    io.list_of("nodes", slam.nodes, counts.nodes, graph::kNodeBytes,
-               [&](auto& node) { fields(io, node, counts); });
+    std::size_t next = 0;
+    io.list("nodes", slam.nodes, graph::kNodeBytes, [&](auto& node) {
+      io.index("number of a node", node.first, counts.nodes);
+      if constexpr (Io::kReads) {
+        if (node.first < next)
+          io.refuse("number of a node", std::to_string(node.first), "must be above that of the one before");
+      }
+      next = node.first + 1;
+      fields(io, node.second, counts);
+    });
   });
   io.section("EDGE", [&] {
     io.list("edges", slam.closing.edges, graph::kEdgeBytes, [&](auto& edge) { fields(io, edge, counts); });

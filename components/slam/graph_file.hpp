@@ -10,7 +10,7 @@
 
 namespace bw::slam {
 
-inline constexpr std::uint32_t kGraphVersion = 2;
+inline constexpr std::uint32_t kGraphVersion = 3;
 
 struct SavedGraph {
   Pose2 X_MW;  ///< in the map that was shown, of the first scan, which Slam counts from

@@ -76,6 +76,10 @@ class Writer {
     if (value) each(*value);
   }
   template <class T, class Each>
+  void shared(const std::shared_ptr<const T>& value, Each each) {
+    each(*value);
+  }
+  template <class T, class Each>
   void list_of(const char*, const std::vector<T>& list, std::size_t, std::size_t, Each each) {
     for (const T& item : list) each(item);
   }
@@ -190,10 +194,7 @@ class Reader {
     if (is_there) each(value.emplace());
   }
   template <class T, class Each>
-  void optional(std::shared_ptr<const T>& value, Each each) {
-    bool is_there = false;
-    flag("whether it is there", is_there);
-    if (!is_there) return;
+  void shared(std::shared_ptr<const T>& value, Each each) {
     const auto made = std::make_shared<T>();
     each(*made);
     value = made;

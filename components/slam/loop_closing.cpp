@@ -45,7 +45,7 @@ struct LoopClosing::Search {
   View with_before;  // and the one before: what was seen of a place is often shared by two submaps
 };
 
-LoopClosing::LoopClosing(const SlamOptions& options, std::deque<Node>& nodes, State state)
+LoopClosing::LoopClosing(const SlamOptions& options, Nodes& nodes, State state)
     : options_(options),
       nodes_(nodes),
       submaps_(std::move(state.submaps)),
@@ -146,7 +146,7 @@ void LoopClosing::marginalise_if_seen_again(std::size_t submap) {
   Submap& left = submaps_[submap];
   left.marginalised = Submap::Anchor{rest->anchor, X_AS};
   left.surfaces = {};
-  for_own_nodes(submap, left, nodes_, [&](std::size_t n) { nodes_[n].ranges.reset(); });
+  std::erase_if(nodes_, [&](const auto& node) { return node.second.placement.submap == submap; });
   std::erase_if(pending_,
                 [&](const Loop& loop) { return loop.edge.from == submap || loop.edge.to == submap; });
   ++counts_.marginalised;
@@ -211,10 +211,11 @@ void LoopClosing::look(View& view, std::size_t before) const {
     }
   }
   const std::size_t stride = std::max<std::size_t>(1, (submap.last_node - first.first_node) / kImages);
-  for (std::size_t n = first.first_node; n < submap.last_node && n < nodes_.size(); n += stride) {
-    if (!nodes_[n].ranges) continue;  // of a file alone: a newest submap that left
-    const Placement& placement = nodes_[n].placement;
-    view.images.push_back(nodes_[n].ranges.get());
+  for (std::size_t n = first.first_node; n < submap.last_node; n += stride) {
+    const auto node = nodes_.find(n);
+    if (node == nodes_.end()) continue;  // of a file alone: a newest submap that left
+    const Placement& placement = node->second.placement;
+    view.images.push_back(node->second.ranges.get());
     view.X_SB.push_back(X_SK[later - placement.submap] * placement.X_SB);
   }
   view.loops.emplace(view.walls, view.images, view.X_SB, options_);

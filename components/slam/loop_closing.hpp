@@ -36,11 +36,11 @@ class LoopClosing {
     std::size_t turn = 0;
     LoopCounts counts;
   };
-  /// `nodes`: those that the submaps name; outlives this. Ranges of those whose submap leaves are let go.
-  LoopClosing(const SlamOptions& options, std::deque<Node>& nodes) : options_(options), nodes_(nodes) {}
+  /// `nodes`: those that the submaps name; outlives this. They leave with their submap.
+  LoopClosing(const SlamOptions& options, Nodes& nodes) : options_(options), nodes_(nodes) {}
 
   /// Takes up what was left.
-  LoopClosing(const SlamOptions& options, std::deque<Node>& nodes, State state);
+  LoopClosing(const SlamOptions& options, Nodes& nodes, State state);
   /// With no work left.
   State state() const;
 
@@ -80,7 +80,7 @@ class LoopClosing {
   bool overlap(std::size_t earlier, std::size_t later) const;
 
   SlamOptions options_;
-  std::deque<Node>& nodes_;
+  Nodes& nodes_;
   std::deque<Submap> waiting_;
   std::vector<Submap> submaps_;
   std::vector<Pose2> X_MS_;

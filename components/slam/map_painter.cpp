@@ -16,32 +16,44 @@ bool MapPainter::moved(const Pose2& from, const Pose2& to) const {
 }
 
 bool MapPainter::update(const Slam& slam, int most) {
-  const std::deque<Node>& nodes = slam.nodes();
-  for (; most > 0 && drawn_nodes_.size() < nodes.size(); --most) {
-    const Node& node = nodes[drawn_nodes_.size()];
-    drawn_nodes_.push_back({X_MW_ * slam.pose(node.placement), node.ranges});
-    if (!node.ranges) continue;
-    rendering_.draw(*node.ranges, drawn_nodes_.back().X_MB);
+  const Nodes& nodes = slam.nodes();
+  auto next = nodes.lower_bound(next_new_);
+  for (; most > 0 && next != nodes.end(); ++next, --most) {
+    const auto& [number, node] = *next;
+    const Pose2 X_MB = X_MW_ * slam.pose(node.placement);
+    rendering_.draw(*node.ranges, X_MB);
+    drawn_nodes_.emplace_hint(drawn_nodes_.end(), number, Drawn{X_MB, node.ranges});
+    next_new_ = number + 1;
     ++drawn_;
   }
   if (slam.revision() != revision_) {
     revision_ = slam.revision();
     next_again_ = 0;
   }
-  std::size_t looks = kLooksAtOnce * static_cast<std::size_t>(most);
-  for (; most > 0 && looks > 0 && next_again_ < drawn_nodes_.size(); ++next_again_, --looks) {
-    Drawn& drawn = drawn_nodes_[next_again_];
-    if (!drawn.ranges) continue;
-    const Node& node = nodes[next_again_];
-    const Pose2 X_MB = X_MW_ * slam.pose(node.placement);
-    if (node.ranges && !moved(drawn.X_MB, X_MB)) continue;
+  auto again = drawn_nodes_.lower_bound(next_again_);
+  for (std::size_t looks = kLooksAtOnce * static_cast<std::size_t>(most);
+       most > 0 && looks > 0 && again != drawn_nodes_.end(); --looks) {
+    auto& [number, drawn] = *again;
+    const auto node = nodes.find(number);
+    const bool has_left = node == nodes.end();
+    const Pose2 X_MB = has_left ? drawn.X_MB : X_MW_ * slam.pose(node->second.placement);
+    if (!has_left && !moved(drawn.X_MB, X_MB)) {
+      ++again;
+      continue;
+    }
     rendering_.erase(*drawn.ranges, drawn.X_MB);
-    if (node.ranges) rendering_.draw(*node.ranges, X_MB);
-    drawn = {X_MB, node.ranges};
+    if (has_left) {
+      again = drawn_nodes_.erase(again);
+    } else {
+      drawn.X_MB = X_MB;
+      rendering_.draw(*drawn.ranges, X_MB);
+      ++again;
+    }
     ++drawn_;
     --most;
   }
-  return drawn_nodes_.size() < nodes.size() || next_again_ < drawn_nodes_.size();
+  next_again_ = again == drawn_nodes_.end() ? next_new_ : again->first;
+  return next != nodes.end() || again != drawn_nodes_.end();
 }
 
 }  // namespace bw::slam

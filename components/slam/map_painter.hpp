@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -42,9 +43,10 @@ class MapPainter {
     Pose2 X_MB;
     std::shared_ptr<const RangeImage> ranges;
   };
-  std::vector<Drawn> drawn_nodes_;  ///< each node, as it was drawn
-  std::int64_t revision_ = 0;       ///< of the poses that are looked at
-  std::size_t next_again_ = 0;      ///< node that is looked at next for a pose that moved
+  std::map<std::size_t, Drawn> drawn_nodes_;  ///< by number, as they were drawn
+  std::size_t next_new_ = 0;                  ///< number of the node that is drawn next
+  std::int64_t revision_ = 0;                 ///< of the poses that are looked at
+  std::size_t next_again_ = 0;  ///< number of the node that is looked at next: did it move or leave?
   std::int64_t drawn_ = 0;
 };
 

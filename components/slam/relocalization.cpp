@@ -99,9 +99,11 @@ void PlaceSearch::begin_search() {
   for (const Surface& surface : surfaces) walls_.push_back(surface.point());
   images_.clear();
   X_SB_.clear();
-  for (std::size_t n = asked_ - std::min(asked_, kLooks); n < asked_; ++n) {
-    images_.push_back(local_.nodes()[n].ranges.get());
-    X_SB_.push_back(inverse(X_WS_) * local_.pose(local_.nodes()[n].placement));
+  const std::size_t looks = std::min(asked_, kLooks);
+  for (auto at = local_.nodes().lower_bound(asked_ - looks); at != local_.nodes().end(); ++at) {
+    const Node& node = at->second;
+    images_.push_back(node.ranges.get());
+    X_SB_.push_back(inverse(X_WS_) * local_.pose(node.placement));
   }
   candidates_.clear();
   best_ = 0.0;
@@ -117,8 +119,10 @@ void PlaceSearch::open_submap() {
   Vector2 low{1e9, 1e9};
   Vector2 high{-1e9, -1e9};
   const Pose2 X_SM = inverse(map_.X_MS()[submap_]);
-  for (std::size_t n = submap.first_node; n < submap.last_node && n < map_.nodes().size(); ++n) {
-    const Vector2 p = (X_SM * map_.pose(map_.nodes()[n].placement)).position();
+  for (auto at = map_.nodes().lower_bound(submap.first_node),
+            end = map_.nodes().lower_bound(submap.last_node);
+       at != end; ++at) {
+    const Vector2 p = (X_SM * map_.pose(at->second.placement)).position();
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }

@@ -3,16 +3,13 @@
 namespace bw::slam {
 
 Slam::Slam(const SlamOptions& options)
-    : options_(options),
-      tracking_(options),
-      nodes_(std::make_unique<std::deque<Node>>()),
-      closing_(options, *nodes_) {}
+    : options_(options), tracking_(options), nodes_(std::make_unique<Nodes>()), closing_(options, *nodes_) {}
 
 Slam::Slam(SlamState state)
     : options_(state.options),
       tracking_(state.options, state.tracking),
-      nodes_(std::make_unique<std::deque<Node>>(std::make_move_iterator(state.nodes.begin()),
-                                                std::make_move_iterator(state.nodes.end()))),
+      nodes_(std::make_unique<Nodes>(std::make_move_iterator(state.nodes.begin()),
+                                     std::make_move_iterator(state.nodes.end()))),
       closing_(state.options, *nodes_, std::move(state.closing)),
       counts_(state.counts) {}
 
@@ -23,16 +20,17 @@ SlamState Slam::save() {
 
 Tracked Slam::add(const Scan& scan, const Pose2& X_OB) {
   ++counts_.scans;
-  Tracked tracked = tracking_.add(scan, X_OB, nodes_->size());
+  Tracked tracked = tracking_.add(scan, X_OB, counts_.nodes);
   if (!tracked.matched && counts_.scans > 1) ++counts_.unmatched;
   if (tracked.enters_map)
-    nodes_->push_back({scan.time, tracked.placement, std::make_shared<const RangeImage>(scan.ranges)});
+    nodes_->emplace(counts_.nodes++,
+                    Node{scan.time, tracked.placement, std::make_shared<const RangeImage>(scan.ranges)});
   if (tracked.finished) closing_.add(*tracked.finished);
   return tracked;
 }
 
 void Slam::finish() {
-  for (const Submap& submap : tracking_.finish(nodes_->size())) closing_.add(submap);
+  for (const Submap& submap : tracking_.finish(counts_.nodes)) closing_.add(submap);
   settle();
 }
 

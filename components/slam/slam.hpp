@@ -4,8 +4,8 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "components/slam/loop_closing.hpp"
@@ -19,13 +19,14 @@ namespace bw::slam {
 struct SlamCounts {
   std::int64_t scans = 0;
   std::int64_t unmatched = 0;  ///< by odometry alone
+  std::size_t nodes = 0;       ///< that entered the map, also those that left it since
 };
 
 /// All that SLAM knows between two scans: what a graph file holds (graph_file.md).
 struct SlamState {
   SlamOptions options;
   SlamCounts counts;
-  std::vector<Node> nodes;
+  std::vector<std::pair<std::size_t, Node>> nodes;  ///< with their numbers, which count up
   LoopClosing::State closing;
   ScanTracking::State tracking;
 };
@@ -53,8 +54,7 @@ class Slam {
   Pose2 pose(const Placement& placement) const;
   /// Covariance of (x, y, theta) of a scan's pose in the map, relative to the first.
   Eigen::Matrix3d covariance(const Tracked& tracked) const;
-  /// Scans of the map in the order in which they came; those that are there do not move in memory.
-  const std::deque<Node>& nodes() const { return *nodes_; }
+  const Nodes& nodes() const { return *nodes_; }
   const std::vector<Edge>& edges() const { return closing_.edges(); }
   /// Counts up whenever poses of earlier scans moved, or submaps left.
   std::int64_t revision() const { return closing_.revision(); }
@@ -79,7 +79,7 @@ class Slam {
 
   SlamOptions options_;
   ScanTracking tracking_;
-  std::unique_ptr<std::deque<Node>> nodes_;
+  std::unique_ptr<Nodes> nodes_;
   LoopClosing closing_;
   SlamCounts counts_;
 };

@@ -7,15 +7,15 @@
 namespace bw::slam {
 namespace {
 
-constexpr int kKidnappedAfter = 5;      // scans
-constexpr double kDoubtful = 0.3;       // share of beams that must meet the map
-constexpr double kUnseenFor = 1.0;      // [s] before it is worth a word
-constexpr double kWindow = 1.0;         // [s] over which slip is summed
-constexpr double kSlip = 0.08;          // [m]
-constexpr double kSlipShare = 0.3;      // of what the wheels say
-constexpr double kTurnSlip = 0.15;      // [rad]
-constexpr double kTelling = 0.6;        // share of inliers of a scan that tells of slip
-constexpr double kFastest = 3.0;        // [m/s] of any base this is for
+constexpr int kKidnappedAfter = 5;  // scans
+constexpr double kDoubtful = 0.3;   // share of beams that must meet the map
+constexpr double kUnseenFor = 1.0;  // [s] before it is worth a word
+constexpr double kWindow = 1.0;     // [s] over which slip is summed
+constexpr double kSlip = 0.08;      // [m]
+constexpr double kSlipShare = 0.3;  // of what the wheels say
+constexpr double kTurnSlip = 0.15;  // [rad]
+constexpr double kTelling = 0.6;    // share of inliers of a scan that tells of slip
+constexpr double kFastest = 3.0;    // [m/s] of any base this is for
 
 }  // namespace
 

@@ -16,13 +16,16 @@ struct Seen {
   const RangeImage* image = nullptr;
 };
 
-// Scans that lie in a submap alone: each belongs to one.
-std::vector<Seen> own_scans(std::size_t submap, const Submap& of, const Pose2& X_MS,
-                            const std::deque<Node>& nodes) {
+// Scans that lie in a submap: each lies in one. That with which a submap ended comes after its last node.
+std::vector<Seen> own_scans(std::size_t submap, const Submap& of, const Pose2& X_MS, const Nodes& nodes) {
   std::vector<Seen> scans;
-  for_own_nodes(submap, of, nodes, [&](std::size_t n) {
-    if (nodes[n].ranges) scans.push_back({X_MS * nodes[n].placement.X_SB, nodes[n].ranges.get()});
-  });
+  for (auto at = nodes.lower_bound(of.first_node); at != nodes.end(); ++at) {
+    const auto& [number, node] = *at;
+    if (node.placement.submap == submap)
+      scans.push_back({X_MS * node.placement.X_SB, node.ranges.get()});
+    else if (number >= of.last_node)
+      break;
+  }
   return scans;
 }
 
@@ -47,7 +50,7 @@ bool is_same_place(const Seen& a, const Seen& b) {
 }  // namespace
 
 bool is_seen_again(std::size_t submap, std::span<const std::size_t> around, std::span<const Submap> submaps,
-                   std::span<const Pose2> X_MS, const std::deque<Node>& nodes) {
+                   std::span<const Pose2> X_MS, const Nodes& nodes) {
   const std::vector<Seen> scans = own_scans(submap, submaps[submap], X_MS[submap], nodes);
   std::vector<std::size_t> last(scans.size(), submap);
   std::vector<std::size_t> visits(scans.size(), 0);

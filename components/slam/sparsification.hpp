@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <deque>
 #include <optional>
 #include <span>
 #include <vector>
@@ -22,22 +21,11 @@ inline constexpr double kPlaceReach = 12.0;
 /// Submaps of one visit follow each other with less than this between their numbers; as near, they share scans.
 inline constexpr std::size_t kVisitApart = 3;
 
-/// Calls `each` with the number of every node that lies in submap `k`; a node lies in one. The scan with which a submap
-/// ended comes after its last node.
-template <class Each>
-void for_own_nodes(std::size_t k, const Submap& submap, const std::deque<Node>& nodes, Each each) {
-  for (std::size_t n = submap.first_node; n < nodes.size(); ++n) {
-    const bool is_own = nodes[n].placement.submap == k;
-    if (is_own) each(n);
-    if (!is_own && n >= submap.last_node) return;
-  }
-}
-
 /// Whether later submaps saw the place of each of a submap's own scans again, kLaterVisits times: from within 1 m with
 /// no wall between, and, by a scanner that does not see all round, turned by less than a quarter of its view (theory.md
 /// 10.14). `around`: numbers, counting up, of those that are looked at; X_MS: of all submaps.
 bool is_seen_again(std::size_t submap, std::span<const std::size_t> around, std::span<const Submap> submaps,
-                   std::span<const Pose2> X_MS, const std::deque<Node>& nodes);
+                   std::span<const Pose2> X_MS, const Nodes& nodes);
 
 struct Marginalised {
   std::vector<Edge> edges;  ///< without the submap

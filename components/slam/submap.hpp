@@ -1,6 +1,7 @@
 // A stretch of the drive whose scans were matched among themselves: one rigid piece of the map.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -16,8 +17,8 @@ namespace bw::slam {
 struct Submap {
   UncertainPose X_PS;  ///< in the parent
   std::vector<Surface> surfaces;
-  std::size_t first_node = 0;  ///< of Slam::nodes(): those that went into it
-  std::size_t last_node = 0;
+  std::size_t first_node = 0;  ///< number of the first scan of the map that went into it
+  std::size_t last_node = 0;   ///< and of the one after the last
   /// What its walls say along the direction of which they say least, as a share of what they say across it: 0
   /// (a corridor) to 1.
   double all_round = 0.0;
@@ -47,7 +48,11 @@ struct Placement {
 struct Node {
   Time time;
   Placement placement;
-  std::shared_ptr<const RangeImage> ranges;  ///< null where its submap was marginalised
+  std::shared_ptr<const RangeImage> ranges;
 };
+
+/// Scans of the map by number, which counts those that came. They leave with the submap that they lie in, and do not
+/// move in memory.
+using Nodes = std::map<std::size_t, Node>;
 
 }  // namespace bw::slam

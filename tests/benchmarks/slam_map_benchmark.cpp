@@ -77,7 +77,7 @@ void HandleScan(benchmark::State& state) {
       const Tracked tracked = slam.add(scans[k].scan, scans[k].X_OB);
       for (int i = 0; i < kPiecesPerScan && slam.advance(); ++i) {
       }
-      if (slam.nodes().size() > nodes) map.draw(*slam.nodes().back().ranges, slam.pose(tracked.placement));
+      if (slam.nodes().size() > nodes) map.draw(*slam.nodes().rbegin()->second.ranges, slam.pose(tracked.placement));
       const bool is_due = k % kScansPerMap == 0;
       if (how == How::whole && is_due) {
         const OccupancyGrid grid = map.grid();

@@ -122,7 +122,7 @@ TEST(DriveReplay, TakesTheScannersMount) {
   drive.scans[0].frame = "laser";
   const SlamReplay replayed = replay(drive, {});
   ASSERT_EQ(replayed.slam.nodes().size(), 1U);
-  const Pose2 X_BL = replayed.slam.nodes().front().ranges->X_BL;
+  const Pose2 X_BL = replayed.slam.nodes().begin()->second.ranges->X_BL;
   EXPECT_LT(difference(X_BL, {0.3, 0.1, 0.5 * std::numbers::pi}).norm(), 1e-12);
 }
 
@@ -137,7 +137,7 @@ TEST(DriveReplay, TakesMountsOneUponTheOther) {
   drive.scans[0].frame = "laser";
   const SlamReplay replayed = replay(drive, {});
   EXPECT_THAT(replayed.left_out, IsEmpty());
-  const Pose2 X_BL = replayed.slam.nodes().front().ranges->X_BL;
+  const Pose2 X_BL = replayed.slam.nodes().begin()->second.ranges->X_BL;
   EXPECT_LT(difference(X_BL, {0.2, 0.1, 0.5 * std::numbers::pi}).norm(), 1e-12);
   drive.mounts[2].parent = "laser";  // a ring leads nowhere
   EXPECT_THAT(replay(drive, {}).left_out, ElementsAre(StartsWith("1 scans of frame laser taken as if")));

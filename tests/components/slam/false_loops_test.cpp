@@ -29,7 +29,7 @@ Graph graph_of_office(std::uint64_t seed) {
   graph.by_drive.resize(slam.submaps());
   std::vector<std::size_t> scan_of_node;  // by time
   std::size_t k = 0;
-  for (const Node& node : slam.nodes()) {
+  for (const auto& [number, node] : slam.nodes()) {
     while (drive.scans[k].time < node.time) ++k;
     scan_of_node.push_back(k);
   }

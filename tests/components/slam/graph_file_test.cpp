@@ -115,15 +115,20 @@ TEST(GraphFile, SaysWhichByteAndWhichRule) {
   using namespace std::string_literals;
   EXPECT_THAT(read_graph("").fault, HasSubstr("must be those of a pose graph"));
   EXPECT_THAT(read_graph("P5\n2 1\n255\n\xfe").fault, HasSubstr("must be those of a pose graph"));
-  EXPECT_THAT(fault_with(8, "\x03\0\0\0"s),
-              AllOf(HasSubstr("byte 8"), HasSubstr("version: 3"), HasSubstr("reads version 2")));
-  EXPECT_THAT(fault_with(8, "\0\0\0\0"s), AllOf(HasSubstr("version: 0"), HasSubstr("reads version 2")));
+  EXPECT_THAT(fault_with(8, "\x04\0\0\0"s),
+              AllOf(HasSubstr("byte 8"), HasSubstr("version: 4"), HasSubstr("reads version 3")));
+  EXPECT_THAT(fault_with(8, "\0\0\0\0"s), AllOf(HasSubstr("version: 0"), HasSubstr("reads version 3")));
   EXPECT_THAT(fault_with(32, "\0\0\0\0\0\0\xf8\x7f"s),
               AllOf(HasSubstr("byte 32 (HEAD): resolution: "), HasSubstr("nan")));
   EXPECT_THAT(fault_with(32, "\0\0\0\0\0\0\xf0\x3f"s),
               AllOf(HasSubstr("resolution: 1:"), HasSubstr("within 0.01 and 0.2")));
   EXPECT_THAT(fault_with(64, "\2"s), HasSubstr("byte 64 (HEAD): do_loop_closing: 2: must be 0 or 1"));
   EXPECT_THAT(fault_with(145, "\xff\xff\xff\x0f"s), AllOf(HasSubstr("(SUBM)"), HasSubstr("has no room")));
+  // The content of NODE begins with how many there are; the first one's number is 0, the second's 1.
+  const std::size_t nodes = test::small_graph().find("NODE") + 12;
+  EXPECT_THAT(fault_with(nodes + 4, "\5\0\0\0"s),
+              HasSubstr("(NODE): number of a node: 1: must be above that of the one before"));
+  EXPECT_THAT(fault_with(nodes + 4, "\0\0\0\1"s), HasSubstr("number of a node: 16777216: must be below"));
   std::string bytes = test::small_graph();
   bytes[40] = static_cast<char>(bytes[40] ^ 1);
   EXPECT_THAT(read_graph(bytes).fault, AllOf(HasSubstr("(HEAD): checksum"), HasSubstr("they were changed")));

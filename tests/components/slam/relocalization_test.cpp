@@ -50,14 +50,15 @@ struct KnownBuilding {
           (drive.X_WB[nearest].position() - X_WB.position()).norm())
         nearest = k;
     const Time time = drive.scans[nearest].time;
-    const auto node =
-        std::min_element(map->nodes().begin(), map->nodes().end(), [&](const Node& a, const Node& b) {
-          return std::abs((a.time - time).nanoseconds) < std::abs((b.time - time).nanoseconds);
+    const auto of_map =
+        std::min_element(map->nodes().begin(), map->nodes().end(), [&](const auto& a, const auto& b) {
+          return std::abs((a.second.time - time).nanoseconds) < std::abs((b.second.time - time).nanoseconds);
         });
+    const Node& node = of_map->second;
     const auto scan = std::find_if(drive.scans.begin(), drive.scans.end(),
-                                   [&](const Scan& s) { return s.time == node->time; });
+                                   [&](const Scan& s) { return s.time == node.time; });
     const Pose2& X_WN = drive.X_WB[static_cast<std::size_t>(scan - drive.scans.begin())];
-    return map->pose(node->placement) * (inverse(X_WN) * X_WB);
+    return map->pose(node.placement) * (inverse(X_WN) * X_WB);
   }
 
   Building building;

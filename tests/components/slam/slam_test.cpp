@@ -240,7 +240,7 @@ TEST(Slam, BadScansDoNoHarm) {
   slam.add(nothing, drive.X_OB[199]);
   slam.finish();
   EXPECT_FALSE(slam.advance());
-  for (const Node& node : slam.nodes()) ASSERT_TRUE(is_finite(slam.pose(node.placement)));
+  for (const auto& [number, node] : slam.nodes()) ASSERT_TRUE(is_finite(slam.pose(node.placement)));
 }
 
 TEST(Slam, OfNothingFinishes) {
@@ -266,7 +266,7 @@ TEST(MapPainter, EndsAtTheMapOfTheLastPoses) {
   int updates = 0;
   while (painter.update(slam, 5)) ASSERT_LT(++updates, 10000);
   MapRendering expected(0.05);
-  for (const Node& node : slam.nodes()) expected.draw(*node.ranges, slam.pose(node.placement));
+  for (const auto& [number, node] : slam.nodes()) expected.draw(*node.ranges, slam.pose(node.placement));
   const OccupancyGrid a = painter.grid();
   const OccupancyGrid b = expected.grid();
   int occupied = 0;

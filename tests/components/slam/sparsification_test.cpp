@@ -69,7 +69,7 @@ TEST(Sparsification, WithoutALoopThatAgreesNothingLeaves) {
 struct Visits {
   std::vector<Submap> submaps;
   std::vector<Pose2> X_MS;
-  std::deque<Node> nodes;
+  Nodes nodes;
   double view = 5.0;
   int beams = 360;
 
@@ -79,7 +79,7 @@ struct Visits {
     image.angle_min = -std::numbers::pi * beams / 360.0;
     image.angle_increment = std::numbers::pi / 180.0;
     image.millimetres.assign(static_cast<std::size_t>(beams), static_cast<std::uint16_t>(1000.0 * view));
-    nodes.push_back({{}, {k, {}, 0.0}, std::make_shared<const RangeImage>(image)});
+    nodes.emplace(k, Node{{}, {k, {}, 0.0}, std::make_shared<const RangeImage>(image)});
     Submap submap;
     submap.first_node = k;
     submap.last_node = k + 1;
@@ -183,17 +183,20 @@ TEST(Sparsification, TheMapStaysAsLargeAsThePlace) {
   Slam slam{SlamOptions{}};
   Rounds rounds(slam);
   std::vector<std::size_t> there;
+  std::vector<std::size_t> nodes;
   std::vector<std::size_t> edges;
   std::vector<int> box;
   for (int k = 0; k < 10; ++k) {
     rounds.drive();
     there.push_back(rounds.there());
+    nodes.push_back(slam.nodes().size());
     edges.push_back(slam.edges().size());
     box.push_back(rounds.box());
   }
   EXPECT_GE(there[2], 15U) << "two rounds of 36 m and more, in submaps of 4 m that overlap by half";
   for (std::size_t k = 3; k < there.size(); ++k) {
     EXPECT_LE(static_cast<double>(there[k]), 1.2 * static_cast<double>(there[2])) << "round " << k + 1;
+    EXPECT_LE(static_cast<double>(nodes[k]), 1.2 * static_cast<double>(nodes[2])) << "round " << k + 1;
     EXPECT_LE(static_cast<double>(edges[k]), 1.2 * static_cast<double>(edges[2])) << "round " << k + 1;
   }
   EXPECT_GE(box[2], 16) << "0.6 m of its near side and some of the others, on cells of 5 cm";

@@ -26,12 +26,10 @@ SlamRound held_by(const slam::Slam& slam) {
     if (!submap.marginalised) ++round.submaps;
     bytes += static_cast<double>(sizeof submap + submap.surfaces.size() * sizeof(slam::Surface));
   }
-  for (const slam::Node& node : slam.nodes()) {
-    bytes += sizeof node;
-    if (!node.ranges) continue;
-    ++round.scans;
-    bytes += static_cast<double>(sizeof(slam::RangeImage) + 2 * node.ranges->millimetres.size());
-  }
+  round.scans = slam.nodes().size();
+  for (const auto& [number, node] : slam.nodes())
+    bytes +=
+        static_cast<double>(sizeof node + sizeof(slam::RangeImage) + 2 * node.ranges->millimetres.size());
   round.edges = slam.edges().size();
   round.memory_mb = 1e-6 * (bytes + static_cast<double>(round.edges * sizeof(slam::Edge)));
   return round;

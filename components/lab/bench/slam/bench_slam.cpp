@@ -24,8 +24,7 @@ OccupancyGrid painted(const slam::Slam& made, double resolution, const Pose2& X_
 
 OccupancyGrid painted_at_truth(const slam::Slam& made, double resolution, const slam::TruthOfScans& truth) {
   slam::MapRendering rendering(resolution);
-  for (const slam::Node& node : made.nodes())
-    if (node.ranges) rendering.draw(*node.ranges, truth.at(node.time));
+  for (const auto& [number, node] : made.nodes()) rendering.draw(*node.ranges, truth.at(node.time));
   return rendering.grid();
 }
 

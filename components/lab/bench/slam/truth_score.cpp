@@ -52,14 +52,16 @@ TrajectoryError trajectory_error(const std::vector<Pose2>& estimated, const std:
 }
 
 LoopFaults loop_faults(const Slam& slam, const TruthOfScans& truth) {
-  // A submap's frame is the pose of its first scan.
-  const auto true_pose = [&](std::size_t submap) {
-    return truth.at(slam.nodes()[slam.map()[submap].first_node].time);
-  };
+  // A submap's frame by the first scan that lies in it: the one at which it was begun may have left.
+  std::vector<Pose2> true_poses(slam.map().size());
+  for (auto at = slam.nodes().rbegin(); at != slam.nodes().rend(); ++at) {
+    const Node& node = at->second;
+    true_poses[node.placement.submap] = truth.at(node.time) * inverse(node.placement.X_SB);
+  }
   LoopFaults faults;
   for (const Edge& edge : slam.edges()) {
     if (!edge.loop && edge.to == edge.from + 1) continue;  // of the drive, unless loops were composed into it
-    const Pose2 X = inverse(true_pose(edge.from)) * true_pose(edge.to);
+    const Pose2 X = inverse(true_poses[edge.from]) * true_poses[edge.to];
     const Pose2 error = inverse(X) * edge.X.X;
     ++faults.loops;
     if (is_beyond(error, 0.2, 1.0)) ++faults.wrong;
