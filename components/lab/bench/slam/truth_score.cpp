@@ -52,11 +52,15 @@ TrajectoryError trajectory_error(const std::vector<Pose2>& estimated, const std:
 }
 
 LoopFaults loop_faults(const Slam& slam, const TruthOfScans& truth) {
-  // A submap's frame by the first scan that lies in it: the one at which it was begun may have left.
+  // A submap's frame is the pose of its first scan. Where that left with another submap: by the first that lies in it.
   std::vector<Pose2> true_poses(slam.map().size());
   for (auto at = slam.nodes().rbegin(); at != slam.nodes().rend(); ++at) {
     const Node& node = at->second;
     true_poses[node.placement.submap] = truth.at(node.time) * inverse(node.placement.X_SB);
+  }
+  for (std::size_t k = 0; k < true_poses.size(); ++k) {
+    const auto first = slam.nodes().find(slam.map()[k].first_node);
+    if (first != slam.nodes().end()) true_poses[k] = truth.at(first->second.time);
   }
   LoopFaults faults;
   for (const Edge& edge : slam.edges()) {
