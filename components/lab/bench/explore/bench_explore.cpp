@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
+#include <stdexcept>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "components/files/map_file.hpp"
 #include "components/lab/bench/bench_common.hpp"
+#include "components/lab/bench/buildings/building_of_map.hpp"
 #include "components/lab/bench/explore/coverage.hpp"
 #include "components/lab/bench/explore/ideal_exploration.hpp"
 
@@ -138,24 +141,44 @@ void sum_up(const char* kind, const char* choice, const std::vector<Row>& rows) 
           .c_str());
 }
 
+/// What is explored with a seed.
+using MakeBuilding = std::function<buildings::Building(std::uint64_t)>;
+
+void explore_all(const std::string& kind, const MakeBuilding& make, const BenchExploreArguments& arguments,
+                 ordered_json& drives) {
+  std::vector<Row> rows;
+  const std::vector<Rule> choices = choices_of(arguments);
+  for (int i = 0; i < arguments.seeds; ++i) {
+    BenchExploreArguments one = arguments;
+    one.drive.seed = arguments.first + static_cast<std::uint64_t>(i);
+    const buildings::Building building = make(one.drive.seed);
+    for (const Rule& choice : choices) {
+      rows.push_back(explored(building, choice, one));
+      print(building.name, rows.back());
+      drives.push_back(json_of(building.name, rows.back()));
+    }
+  }
+  for (const Rule& choice : choices) sum_up(kind.c_str(), choice.name, rows);
+}
+
 }  // namespace
 
 int bench_explore(const BenchExploreArguments& arguments) {
   ordered_json drives = ordered_json::array();
-  for (const buildings::BuildingKind kind : arguments.kinds) {
-    std::vector<Row> rows;
-    const std::vector<Rule> choices = choices_of(arguments);
-    for (int i = 0; i < arguments.seeds; ++i) {
-      BenchExploreArguments one = arguments;
-      one.drive.seed = arguments.first + static_cast<std::uint64_t>(i);
-      const buildings::Building building = buildings::make_building(kind, one.drive.seed);
-      for (const Rule& choice : choices) {
-        rows.push_back(explored(building, choice, one));
-        print(building.name, rows.back());
-        drives.push_back(json_of(building.name, rows.back()));
-      }
+  if (!arguments.map.empty()) {
+    const OccupancyGrid map = load_map(arguments.map);
+    const std::string name = std::filesystem::path(arguments.map).stem().string();
+    if (arguments.start.size() != 2) throw std::runtime_error("--start: must be X,Y [m]");
+    const Vector2 start{arguments.start[0], arguments.start[1]};
+    const auto make = [&](std::uint64_t seed) {
+      return buildings::building_of_map(fmt::format("{} {}", name, seed), map, start);
+    };
+    explore_all(name, make, arguments, drives);
+  } else {
+    for (const buildings::BuildingKind kind : arguments.kinds) {
+      const auto make = [&](std::uint64_t seed) { return buildings::make_building(kind, seed); };
+      explore_all(buildings::to_text(kind), make, arguments, drives);
     }
-    for (const Rule& choice : choices) sum_up(buildings::to_text(kind), choice.name, rows);
   }
   write_json(arguments.json, {{"drives", std::move(drives)}});
   return 0;
