@@ -1,7 +1,8 @@
-// `bandwagon bench crowdnav`: CrowdNav's circle and square (protocols.md 8.11), without DDS.
+// `bandwagon bench crowdnav`: CrowdNav's circle and square, CrowdNav++'s crowds (protocols.md 8.11, 8.15), without DDS.
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,16 +11,18 @@
 
 namespace bw {
 
-/// Beside the local planners: CrowdNav's own ORCA, which moves any way.
+/// Beside the local planners: CrowdNav's own robots, which move any way.
 inline constexpr const char* kHolonomicOrca = "orca_holonomic";
+inline constexpr const char* kPublishedOrca = "orca_published";  ///< of CrowdNav++, in its crowds
+inline constexpr const char* kHolonomicSocialForce = "social_force_holonomic";
 
 struct BenchCrowdNavArguments {
   CrowdNavCrossing crossing = CrowdNavCrossing::circle;
-  bool visible = false;  ///< people see the robot
+  CrowdNavConditions conditions;
   int first_case = 0;
   int cases = kCrowdNavCases;  ///< from the first on; fewer where the 500 end
   std::vector<std::string> planners = {kHolonomicOrca};
-  double safety_space = 0.0;                    ///< [m] by which orca_holonomic widens everybody
+  std::optional<double> safety_space;  ///< [m] by which orca_holonomic widens everybody; as people do
   std::function<void(PlannerOptions&)> adjust;  ///< last word on the options; may be empty
   int jobs = 1;               ///< cases at a time; above 1 the times are those of their threads
   bool with_samples = false;  ///< every step goes into the JSON

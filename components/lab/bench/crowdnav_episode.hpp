@@ -17,8 +17,11 @@ enum class CrowdNavOutcome { reached, collision, timeout };
 struct CrowdNavEpisode {
   std::string name;
   CrowdNavOutcome outcome = CrowdNavOutcome::timeout;
-  double time = 0.0;         ///< [s] after the last step; of a timeout the limit, 25
+  double time = 0.0;         ///< [s] after the last step; of a timeout the limit
   int discomfort_steps = 0;  ///< nearer than 0.2 m, and nothing worse or better happened
+  int intrusions = 0;        ///< steps that begin where somebody within range will be in the next five
+  int steps = 0;
+  double path = 0.0;                                         ///< [m]
   double min_gap = std::numeric_limits<double>::infinity();  ///< [m] to anybody
   double rms_jerk = 0.0;                                     ///< [m/s^3]
   std::vector<double> ms;                                    ///< CPU time of every decision
@@ -37,8 +40,13 @@ struct CrowdNavSample {
 };
 using CrowdNavObserver = std::function<void(const CrowdNavSample&)>;
 
-/// `visible`: people see the robot and take it for one of them.
-CrowdNavEpisode run_crowdnav(const CrowdNavScene& scene, CrowdNavRobot& robot, bool visible,
-                             const CrowdNavObserver& observer = {});
+/// How a case is driven.
+struct CrowdNavConditions {
+  bool visible = false;  ///< people see the robot and take it for one of them
+  bool sampled = false;  ///< contacts between steps are none, as CrowdNav++ counts them
+};
+
+CrowdNavEpisode run_crowdnav(const CrowdNavScene& scene, CrowdNavRobot& robot,
+                             const CrowdNavConditions& conditions, const CrowdNavObserver& observer = {});
 
 }  // namespace bw

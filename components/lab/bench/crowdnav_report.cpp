@@ -39,6 +39,9 @@ Json to_json(const CrowdNavEpisode& e) {
   json.update(Json{{"outcome", name_of(e.outcome)},
                    {"time_s", e.time},
                    {"discomfort_steps", e.discomfort_steps},
+                   {"intrusions", e.intrusions},
+                   {"steps", e.steps},
+                   {"path_m", e.path},
                    {"min_gap_m", e.min_gap}});
   return json;
 }
@@ -54,7 +57,7 @@ std::vector<RatedDrive> rated(const std::vector<CrowdNavEpisode>& episodes) {
 CrowdNavSummary summarize(const std::string& planner, const std::vector<CrowdNavEpisode>& episodes) {
   CrowdNavSummary s;
   s.rates = rates_of(planner, rated(episodes));
-  std::vector<double> times, gaps;
+  std::vector<double> times, gaps, intrusions, paths;
   double discomfort_steps = 0.0, steps = 0.0;
   for (const CrowdNavEpisode& e : episodes) {
     s.collisions += e.outcome == CrowdNavOutcome::collision ? 1 : 0;
@@ -62,9 +65,13 @@ CrowdNavSummary summarize(const std::string& planner, const std::vector<CrowdNav
     discomfort_steps += e.discomfort_steps;
     steps += e.time / kCrowdNavStep;
     gaps.push_back(e.min_gap);
+    intrusions.push_back(e.steps > 0 ? static_cast<double>(e.intrusions) / e.steps : 0.0);
+    paths.push_back(e.path);
   }
   s.mean_time = mean(times);
   s.discomfort = steps > 0.0 ? discomfort_steps / steps : 0.0;
+  s.intrusion = mean(intrusions);
+  s.path = mean(paths);
   s.mean_min_gap = mean(gaps);
   s.min_gap = quantile(gaps, 0.0);
   return s;
@@ -77,6 +84,8 @@ Json to_json(const CrowdNavSummary& s, const std::vector<CrowdNavEpisode>& episo
   summary.update(Json{{"collisions", s.collisions},
                       {"mean_time_s", s.mean_time},
                       {"discomfort", s.discomfort},
+                      {"intrusion", s.intrusion},
+                      {"path_m", s.path},
                       {"mean_min_gap_m", s.mean_min_gap},
                       {"min_gap_m", s.min_gap}});
   return {{"planner", s.rates.planner}, {"episodes", std::move(rows)}, {"summary", std::move(summary)}};
@@ -101,7 +110,8 @@ std::string in_a_line(const CrowdNavEpisode& e) {
 std::string table(const std::vector<CrowdNavSummary>& summaries) {
   std::vector<DriveRates> rates;
   OwnColumn success{"success", "share", {}}, collision{"collision", "share", {}},
-      timeout{"timeout", "share", {}}, time{"time s", "mean", {}}, discomfort{"discomfort", "of steps", {}},
+      timeout{"timeout", "share", {}}, time{"time s", "mean", {}}, path{"path m", "mean", {}},
+      discomfort{"discomfort", "of steps", {}}, intrusion{"intrusion", "of steps", {}},
       gap{"gap m", "mean / min", {}};
   for (const CrowdNavSummary& s : summaries) {
     const auto share = [&](int count) { return fmt::format("{:.3f}", s.rates.share(count)); };
@@ -110,10 +120,12 @@ std::string table(const std::vector<CrowdNavSummary>& summaries) {
     collision.cells.push_back(share(s.collisions));
     timeout.cells.push_back(share(s.rates.timeouts));
     time.cells.push_back(fmt::format("{:.2f}", s.mean_time));
+    path.cells.push_back(fmt::format("{:.2f}", s.path));
     discomfort.cells.push_back(fmt::format("{:.3f}", s.discomfort));
+    intrusion.cells.push_back(fmt::format("{:.3f}", s.intrusion));
     gap.cells.push_back(fmt::format("{:.3f} / {:.3f}", s.mean_min_gap, s.min_gap));
   }
-  return drive_table(rates, {success, collision, timeout, time, discomfort, gap});
+  return drive_table(rates, {success, collision, timeout, time, path, discomfort, intrusion, gap});
 }
 
 }  // namespace bw

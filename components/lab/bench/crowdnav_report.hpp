@@ -16,6 +16,8 @@ struct CrowdNavSummary {
   int collisions = 0;
   double mean_time = 0.0;                    ///< [s] of the successes
   double discomfort = 0.0;                   ///< share of all steps
+  double intrusion = 0.0;                    ///< share of the steps of a drive, mean
+  double path = 0.0;                         ///< [m] mean
   double mean_min_gap = 0.0, min_gap = 0.0;  ///< [m]
 };
 

@@ -12,34 +12,55 @@
 namespace bw {
 namespace {
 
-constexpr double kTouching = 2.0 * kCrowdNavRadius;  // [m] between centres
 constexpr int kTicksPerStep = 5;
 constexpr int kTicksPerPeriod = 2;
 constexpr int kPiecesPerTick = 5;  // straight pieces of 0.01 s: an arc at the limits leaves them by 0.01 mm
 constexpr double kTick = kCrowdNavStep / kTicksPerStep;  // [s]
 constexpr double kPeriod = kTicksPerPeriod * kTick;      // [s] between plans
 constexpr double kFar = std::numeric_limits<double>::infinity();
+const Vector2 kNowhere(15.0, 15.0);  // where CrowdNav++ takes those to be who were not seen yet
 
-class HolonomicOrca final : public CrowdNavRobot {
+// Between centres where outlines touch.
+double touching(const CrowdNavAgent& person) { return kCrowdNavRadius + person.radius; }
+
+bool is_within(double range, const Vector2& robot, const CrowdNavAgent& person) {
+  return (person.position - robot).norm() - touching(person) <= range;
+}
+
+class HolonomicRobot final : public CrowdNavRobot {
  public:
-  HolonomicOrca(const CrowdNavScene& scene, double safety_space, CpuClock clock)
+  HolonomicRobot(const CrowdNavScene& scene, CrowdNavPolicy policy, CpuClock clock)
       : agent_{scene.start.position(), {0.0, 0.0}},
         heading_(scene.start.theta),
         goal_(scene.goal),
-        safety_space_(safety_space),
-        clock_(std::move(clock)) {}
+        range_(scene.rules.sensed_range),
+        policy_(std::move(policy)),
+        clock_(std::move(clock)),
+        seen_(scene.people.size(), CrowdNavAgent{.position = kNowhere}) {
+    const CrowdNavPeople there(scene);
+    see(there.agents());
+  }
 
   Pose2 pose() const override { return {agent_.position.x(), agent_.position.y(), heading_}; }
   CrowdNavAgent agent() const override { return agent_; }
 
+  void see(const std::vector<CrowdNavAgent>& people) override {
+    for (std::size_t i = 0; i < people.size(); ++i) {
+      if (is_within(range_, agent_.position, people[i]))
+        seen_[i] = people[i];
+      else
+        seen_[i].position += kCrowdNavStep * seen_[i].velocity;
+    }
+  }
+
   double step(const std::vector<CrowdNavAgent>& people, const std::vector<Vector2>&) override {
     const double before = clock_();
-    const Vector2 action = crowdnav_orca(agent_, goal_, people, safety_space_);
+    const Vector2 action = policy_(agent_, goal_, seen_);
     took(clock_() - before);
     double gap = kFar;
     for (const CrowdNavAgent& p : people)
       gap = std::min(gap, closest_approach(p.position - agent_.position, p.velocity - action, kCrowdNavStep) -
-                              kTouching);
+                              touching(p));
     accelerations_.push_back((action - agent_.velocity) / kCrowdNavStep);
     if (!action.isZero()) heading_ = std::atan2(action.y(), action.x());
     agent_.velocity = action;
@@ -60,8 +81,10 @@ class HolonomicOrca final : public CrowdNavRobot {
   CrowdNavAgent agent_;
   double heading_;
   Vector2 goal_;
-  double safety_space_;
+  double range_;
+  CrowdNavPolicy policy_;
   CpuClock clock_;
+  std::vector<CrowdNavAgent> seen_;
   std::vector<Vector2> accelerations_;
 };
 
@@ -71,6 +94,7 @@ class PlannerRobot final : public CrowdNavRobot {
       : pose_(scene.start),
         planner_(planner),
         clock_(std::move(clock)),
+        range_(scene.rules.sensed_range),
         limits_(crowd_rules().limits),
         plan_{scene.start, {scene.goal.x(), scene.goal.y(), scene.start.theta}},
         motion_{{0.0, scene.start, {}}} {}
@@ -103,11 +127,12 @@ class PlannerRobot final : public CrowdNavRobot {
     problem.limits = limits_;
     problem.control_period = kPeriod;
     for (const CrowdNavAgent& person : people) {
+      if (!is_within(range_, pose_.position(), person)) continue;
       Mover mover;
-      mover.id = static_cast<std::uint32_t>(problem.movers.size()) + 1;
+      mover.id = person.id + 1;
       mover.position = person.position;
       mover.velocity = person.velocity;
-      mover.radius = kCrowdNavRadius;
+      mover.radius = person.radius;
       problem.movers.push_back(mover);
     }
     const double before = clock_();
@@ -126,7 +151,7 @@ class PlannerRobot final : public CrowdNavRobot {
     double gap = kFar;
     for (CrowdNavAgent& p : people) {
       gap = std::min(gap,
-                     closest_approach(p.position - pose_.position(), p.velocity - velocity, h) - kTouching);
+                     closest_approach(p.position - pose_.position(), p.velocity - velocity, h) - touching(p));
       p.position += h * p.velocity;
     }
     pose_ = next;
@@ -138,6 +163,7 @@ class PlannerRobot final : public CrowdNavRobot {
   Twist2 twist_;
   LocalPlanner& planner_;
   CpuClock clock_;
+  double range_;
   Limits limits_;
   std::vector<Pose2> plan_;
   std::vector<possible::MotionState> motion_;
@@ -151,9 +177,36 @@ double closest_approach(const Vector2& offset, const Vector2& velocity, double d
   return nearest_point(Segment{offset, offset + duration * velocity}, Vector2(0.0, 0.0)).norm();
 }
 
+std::unique_ptr<CrowdNavRobot> holonomic_robot(const CrowdNavScene& scene, CrowdNavPolicy policy,
+                                               const CpuClock& clock) {
+  return std::make_unique<HolonomicRobot>(scene, std::move(policy), clock);
+}
+
 std::unique_ptr<CrowdNavRobot> holonomic_orca_robot(const CrowdNavScene& scene, double safety_space,
                                                     const CpuClock& clock) {
-  return std::make_unique<HolonomicOrca>(scene, safety_space, clock);
+  const auto policy = [safety_space, neighbours = scene.rules.neighbours](
+                          const CrowdNavAgent& self, const Vector2& goal,
+                          const std::vector<CrowdNavAgent>& others) {
+    return crowdnav_orca(self, goal, others, safety_space, neighbours);
+  };
+  return holonomic_robot(scene, policy, clock);
+}
+
+std::unique_ptr<CrowdNavRobot> published_orca_robot(const CrowdNavScene& scene, const CpuClock& clock) {
+  const CrowdNavScene first =
+      crowdnav_scene(scene.rules.mixed ? CrowdNavCrossing::mixed_crowd : CrowdNavCrossing::crowd, 0);
+  std::vector<double> radii;
+  const CrowdNavPeople there(first);
+  for (const CrowdNavAgent& person : there.agents())
+    radii.push_back(is_within(first.rules.sensed_range, first.start.position(), person) ? person.radius
+                                                                                        : kCrowdNavRadius);
+  const auto policy = [radii, look = first.people.back().look, rules = scene.rules](
+                          CrowdNavAgent self, const Vector2& goal, std::vector<CrowdNavAgent> others) {
+    self.look = look;
+    for (std::size_t i = 0; i < others.size(); ++i) others[i].radius = radii[i];
+    return crowdnav_orca(self, goal, others, rules.people_margin, rules.neighbours);
+  };
+  return holonomic_robot(scene, policy, clock);
 }
 
 std::unique_ptr<CrowdNavRobot> planner_robot(const CrowdNavScene& scene, LocalPlanner& planner,

@@ -1,7 +1,8 @@
-// The robot in CrowdNav's scenes: one that may move any way, by ORCA as CrowdNav has it, or a differential
-// drive with a planner of this project (protocols.md 8.11). Metres, seconds.
+// The robot in CrowdNav's scenes: one that may move any way, by ORCA or social force as CrowdNav has them, or a
+// differential drive with a planner of this project (protocols.md 8.11). Metres, seconds.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -19,6 +20,8 @@ class CrowdNavRobot {
   virtual Pose2 pose() const = 0;
   /// As the people see it, if they do.
   virtual CrowdNavAgent agent() const = 0;
+  /// Who is there at the end of a step, before anybody else comes.
+  virtual void see(const std::vector<CrowdNavAgent>&) {}
   /// Moves for kCrowdNavStep among `people`, who walk `velocities` [m/s] from now on. The least gap between
   /// the robot and one of them [m], below 0 when they meet.
   virtual double step(const std::vector<CrowdNavAgent>& people, const std::vector<Vector2>& velocities) = 0;
@@ -36,12 +39,23 @@ class CrowdNavRobot {
   std::vector<double> ms_;
 };
 
-/// Takes any velocity of at most 1 m/s at once, decides every step. Gaps as CrowdNav reckons them: as if
-/// everybody kept the velocity they had before the step.
+/// The velocity of an agent on the way to its goal among others.
+using CrowdNavPolicy =
+    std::function<Vector2(const CrowdNavAgent&, const Vector2&, const std::vector<CrowdNavAgent>&)>;
+
+/// Takes any velocity of at most 1 m/s at once, decides every step. Who is beyond its range walks on as it saw them last.
+/// Gaps as CrowdNav reckons them: as if everybody kept the velocity they had before the step.
+std::unique_ptr<CrowdNavRobot> holonomic_robot(const CrowdNavScene& scene, CrowdNavPolicy policy,
+                                               const CpuClock& clock);
+/// By ORCA; by default everybody is as wide as for the people.
 std::unique_ptr<CrowdNavRobot> holonomic_orca_robot(const CrowdNavScene& scene, double safety_space,
                                                     const CpuClock& clock);
 
-/// Limits of bench crowd; every 0.1 s the planner gets the true positions and velocities. Gaps by what
+/// CrowdNav++'s ORCA robot as it was published: to the end it takes everybody for whom it saw in their place at the
+/// beginning of case 0.
+std::unique_ptr<CrowdNavRobot> published_orca_robot(const CrowdNavScene& scene, const CpuClock& clock);
+
+/// Limits of bench crowd; every 0.1 s the planner gets true positions and velocities of those within range. Gaps by what
 /// everybody really does. `planner` must outlive the robot, and should be new.
 std::unique_ptr<CrowdNavRobot> planner_robot(const CrowdNavScene& scene, LocalPlanner& planner,
                                              const CpuClock& clock);
