@@ -3,11 +3,16 @@
 #include <memory>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "components/lab/bench/bench.hpp"
 #include "components/lab/bench/bench_bag.hpp"
 #include "components/lab/bench/bench_course.hpp"
 #include "components/lab/bench/bench_crowdnav.hpp"
 #include "components/lab/bench/bench_people.hpp"
+#include "components/lab/bench/bench_scenes.hpp"
+#include "components/lab/bench/corridor/corridor_scene.hpp"
+#include "components/lab/bench/dynabarn_world.hpp"
 #include "components/lab/bench/explore/bench_explore.hpp"
 #include "components/lab/bench/scaling.hpp"
 #include "components/lab/bench/slam/bench_relations.hpp"
@@ -114,22 +119,27 @@ void add_crowd(cli::Verb bench) {
 
 void add_crowdnav(cli::Verb bench) {
   auto crowdnav = std::make_shared<BenchCrowdNavArguments>();
-  cli::Verb verb = bench.verb("crowdnav", "CrowdNav's circle and square: five people who avoid each other");
+  cli::Verb verb = bench.verb("crowdnav", "CrowdNav's circle and square, CrowdNav++'s crowds of twenty");
   verb.option_function(
           "--scene",
           [crowdnav](const std::string& name) {
-            crowdnav->crossing = name == "circle" ? CrowdNavCrossing::circle : CrowdNavCrossing::square;
+            for (const CrowdNavCrossing crossing : kCrowdNavCrossings)
+              if (name == to_text(crossing)) crowdnav->crossing = crossing;
           },
-          "circle (default) or square")
-      .one_of({"circle", "square"});
-  verb.flag("--visible", crowdnav->visible, "People see the robot and avoid it as one of them");
+          "circle (default), square, crowd or mixed_crowd")
+      .one_of({"circle", "square", "crowd", "mixed_crowd"});
+  verb.flag("--visible", crowdnav->conditions.visible, "People see the robot and avoid it as one of them");
+  verb.flag("--sampled", crowdnav->conditions.sampled,
+            "Contacts between steps of 0.25 s are none, as CrowdNav++ counts");
   verb.option("--first-case", crowdnav->first_case, "First of the 500 test cases (0)")
       .within(0, kCrowdNavCases - 1);
   verb.option("--cases", crowdnav->cases, "How many from it on (500)").within(1, kCrowdNavCases);
-  verb.option("--planner", crowdnav->planners,
-              "Planner names, separated by commas; orca_holonomic is CrowdNav's own, which moves any way")
+  verb.option(
+          "--planner", crowdnav->planners,
+          "Planner names, separated by commas; orca_holonomic, orca_published and social_force_holonomic move any way")
       .separated_by_commas();
-  verb.option("--safety-space", crowdnav->safety_space, "By which orca_holonomic widens everybody [m] (0)")
+  verb.option("--safety-space", crowdnav->safety_space,
+              "By which orca_holonomic widens everybody [m] (as people do: 0, in crowds 0.15)")
       .within(0.0, 1.0);
   auto set = std::make_shared<std::vector<std::string>>();
   verb.option("--set", *set, "Planner parameter, as teb.band.weights.time=2; as often as needed")
@@ -140,6 +150,82 @@ void add_crowdnav(cli::Verb bench) {
   verb.run([crowdnav, set] {
     crowdnav->adjust = [set](PlannerOptions& options) { apply_overrides(options, *set); };
     return bench_crowdnav(*crowdnav);
+  });
+}
+
+struct ScenesVerb {
+  BenchScenesArguments arguments;
+  std::vector<std::string> set;
+};
+
+// Options of both kinds of scenes.
+void add_scene_options(cli::Verb& verb, const std::shared_ptr<ScenesVerb>& scenes) {
+  verb.option_function(
+          "--prediction",
+          [scenes](const std::string& name) {
+            if (name == to_text(ScenePrediction::roll_out))
+              scenes->arguments.prediction = ScenePrediction::roll_out;
+          },
+          "constant_velocity (default), or roll_out by the others' own rule")
+      .one_of({"constant_velocity", "roll_out"});
+  verb.option("--planner", scenes->arguments.planners, "Planner names, separated by commas")
+      .separated_by_commas();
+  verb.option("--set", scenes->set, "Planner parameter, as teb.band.weights.time=2; as often as needed")
+      .one_each_time();
+  verb.option("--jobs", scenes->arguments.jobs, "Drives at a time; above 1 in thread CPU ms").within(1, 64);
+  verb.option("--json", scenes->arguments.json, "Writes the figures here");
+  scenes->arguments.adjust = [scenes = scenes.get()](PlannerOptions& options) {
+    apply_overrides(options, scenes->set);
+  };
+}
+
+void add_corridor(cli::Verb bench) {
+  struct Corridor : ScenesVerb {
+    std::vector<double> people = {4, 8, 12};
+    int drives = 200;
+    std::uint64_t first = 1;
+  };
+  auto corridor = std::make_shared<Corridor>();
+  cli::Verb verb = bench.verb("corridor", "T-MPC's corridor: people who come and go make way for the robot");
+  verb.option("--people", corridor->people, "How many, separated by commas (4,8,12)").separated_by_commas();
+  verb.option("--drives", corridor->drives, "Of each number of people (200)").within(1, 100000);
+  verb.option("--first", corridor->first, "Seed of the first (1)");
+  add_scene_options(verb, corridor);
+  verb.run([corridor] {
+    std::vector<SceneSet> sets;
+    for (const double people : corridor->people) {
+      sets.push_back({fmt::format("{:.0f} people", people), {}});
+      for (int i = 0; i < corridor->drives; ++i)
+        sets.back().scenes.push_back(
+            corridor_scene(static_cast<int>(people), corridor->first + static_cast<std::uint64_t>(i)));
+    }
+    return bench_scenes(sets, corridor_scene(0, 1), corridor->arguments);
+  });
+}
+
+void add_dynabarn(cli::Verb bench) {
+  struct DynaBarn : ScenesVerb {
+    std::string worlds;
+    int phases = 10;
+    std::uint64_t first = 1;
+  };
+  auto dynabarn = std::make_shared<DynaBarn>();
+  cli::Verb verb = bench.verb("dynabarn", "DynaBARN's worlds: 20 m among cylinders that move");
+  verb.option("--worlds", dynabarn->worlds, "Folder with world_N.csv").required().existing_folder();
+  verb.option("--phases", dynabarn->phases,
+              "Drives in each world, each begun at other times of the cylinders (10)")
+      .within(1, 10000);
+  verb.option("--first", dynabarn->first, "Seed of the first (1)");
+  add_scene_options(verb, dynabarn);
+  verb.run([dynabarn] {
+    std::vector<SceneSet> sets;
+    for (const DynaBarnWorld& world : read_dynabarn(dynabarn->worlds)) {
+      const std::string difficulty = difficulty_of(world);
+      if (sets.empty() || sets.back().name != difficulty) sets.push_back({difficulty, {}});
+      for (int i = 0; i < dynabarn->phases; ++i)
+        sets.back().scenes.push_back(dynabarn_scene(world, dynabarn->first + static_cast<std::uint64_t>(i)));
+    }
+    return bench_scenes(sets, dynabarn_scene({"world_0", {}}, 1), dynabarn->arguments);
   });
 }
 
@@ -287,7 +373,9 @@ void add_explore(cli::Verb bench) {
           "office (default), corridors, loop, pillars, warehouse; several separated by commas")
       .separated_by_commas()
       .one_of({"office", "corridors", "loop", "pillars", "warehouse"});
-  verb.option("--seeds", explore->seeds, "Buildings of each kind (1)").within(1, 10000);
+  verb.option("--map", explore->map, "A place of your own instead: map_server's file").existing_file();
+  verb.option("--start", explore->start, "X,Y in that map [m] (0,0)").separated_by_commas();
+  verb.option("--seeds", explore->seeds, "Buildings of each kind, drives in a map (1)").within(1, 10000);
   verb.option("--first", explore->first, "Seed of the first (1)");
   verb.flag("--ideal", explore->ideal,
             "The map is right at once, ways are driven exactly, and nothing is simulated");
@@ -310,6 +398,8 @@ void add_bench(cli::Verb bench) {
   add_teb(bench);
   add_crowd(bench);
   add_crowdnav(bench);
+  add_corridor(bench);
+  add_dynabarn(bench);
   add_scaling(bench);
   add_bag(bench);
   add_people(bench);

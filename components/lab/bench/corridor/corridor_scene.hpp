@@ -1,0 +1,29 @@
+// The corridor of T-MPC's experiments (de Groot et al. 2024): 6 m wide for the robot, people who come and go the same way
+// (protocols.md 8.15). Frame: x along it, the robot starts at the origin. Metres, seconds.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "components/lab/bench/corridor/pedsim_people.hpp"
+#include "components/model/limits.hpp"
+
+namespace bw {
+
+inline constexpr double kCorridorHalfWidth = 3.0;      ///< [m] for the robot
+inline constexpr double kCorridorPeopleWalls = 3.5;    ///< [m] from the middle
+inline constexpr double kCorridorEnd = 25.0;           ///< [m] along x
+inline constexpr double kCorridorTimeout = 30.0;       ///< [s]
+inline constexpr double kCorridorRobotRadius = 0.325;  ///< [m]
+inline constexpr double kCorridorPersonRadius = 0.3;   ///< [m]
+inline constexpr double kCorridorUnscored = 1.0;       ///< [s] at the start in which a contact does not count
+
+/// v_max is the reference speed, 2 m/s; braking is harder than speeding up, as the peers' fallback brakes.
+Limits corridor_limits();
+
+/// `people` of seed 1, 2, ...; the same seed with fewer people has the first of them.
+DriveScene corridor_scene(int people, std::uint64_t seed);
+std::vector<PedsimPerson> corridor_people(int people, std::uint64_t seed);
+
+}  // namespace bw
