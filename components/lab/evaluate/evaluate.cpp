@@ -1,20 +1,27 @@
 #include <algorithm>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <tuple>
 
 #include <fmt/format.h>
 
 #include "components/lab/evaluate/jobs.hpp"
+#include "components/lab/evaluate/parallel.hpp"
 #include "components/lab/evaluate/suite_report.hpp"
 #include "components/lab/failures/failure_album.hpp"
 #include "components/lab/report/report_page.hpp"
+#include "components/lab/shards/domain_lease.hpp"
+#include "components/lab/shards/graph_text.hpp"
+#include "components/lab/shards/merge.hpp"
 #include "components/program/drive.hpp"
 #include "components/program/drive_page/drive_page.hpp"
 #include "runtime/atomic_file.hpp"
 #include "runtime/cli/signals.hpp"
 #include "runtime/cli/verb.hpp"
+#include "runtime/temporary_folder.hpp"
 
 namespace bw {
 namespace {
@@ -156,7 +163,7 @@ void check_against(const EvaluateOptions& options) {
 /// Written after every drive, so that of an evaluation that is killed there is a file that says so;
 /// comparisons when all is done.
 void write_json(const std::string& file, const std::vector<SuiteResult>& results, std::size_t planned,
-                const Report* report = nullptr) {
+                const Provenance& made, const Report* report = nullptr) {
   if (file.empty()) return;
   nlohmann::json reports = nlohmann::json::array();
   for (std::size_t i = 0; i < results.size(); ++i) {
@@ -171,6 +178,7 @@ void write_json(const std::string& file, const std::vector<SuiteResult>& results
   all["planned"] = planned;
   all["driven"] = driven;
   all["complete"] = driven == planned;
+  all["made"] = to_json(made);
   write_file_atomically(file, all.dump(2) + "\n");
 }
 
@@ -193,21 +201,97 @@ std::string report_in_words(const std::vector<SuiteResult>& results, const Repor
   return out;
 }
 
+/// Says and writes all that is to be said of the drives; the exit status.
+int conclude(const EvaluateOptions& options, const std::vector<SuiteResult>& results, std::size_t planned,
+             const Provenance& made) {
+  const Report report = report_of(results, options.against);
+  std::cout << report_in_words(results, report);
+  write_json(options.json, results, planned, made, &report);
+  return enough_succeeded(report, options.at_least) ? 0 : 1;
+}
+
+/// Files of earlier evaluations under one label.
+struct Labelled {
+  std::string label;
+  std::vector<ResultsFile> files;
+};
+
+std::vector<Labelled> labelled(const std::vector<std::string>& from) {
+  std::vector<Labelled> all;
+  for (const std::string& text : from) {
+    const std::size_t colon = text.find(':');
+    const std::string label = colon == std::string::npos ? "" : text.substr(0, colon);
+    auto found = std::ranges::find(all, label, &Labelled::label);
+    if (found == all.end()) found = all.insert(all.end(), {label, {}});
+    found->files.push_back(read_results_file(colon == std::string::npos ? text : text.substr(colon + 1)));
+  }
+  return all;
+}
+
+/// Shards are one evaluation, whatever else there is stands beside it.
+std::vector<SuiteResult> joined(const Labelled& one) {
+  if (std::ranges::any_of(one.files, [](const ResultsFile& file) { return file.made.of > 1; }))
+    return merge(one.files);
+  std::vector<SuiteResult> results;
+  for (const ResultsFile& file : one.files) read_results(file.file, "", results);
+  return results;
+}
+
 /// Drives of earlier evaluations, summed up again.
 int sum_up(const EvaluateOptions& options) {
   std::vector<SuiteResult> results;
-  std::size_t driven = 0;
-  for (const std::string& text : options.from) {
-    const std::size_t colon = text.find(':');
-    const std::string label = colon == std::string::npos ? "" : text.substr(0, colon);
-    read_results(colon == std::string::npos ? text : text.substr(colon + 1), label, results);
+  const std::vector<Labelled> all = labelled(options.from);
+  for (const Labelled& one : all) {
+    for (SuiteResult& part : joined(one)) {
+      for (EpisodeResult& episode : part.episodes)
+        if (!one.label.empty()) episode.planner += " " + one.label;
+      auto result = std::ranges::find(results, part.suite, &SuiteResult::suite);
+      if (result == results.end()) result = results.insert(result, {part.suite, {}});
+      result->episodes.insert(result->episodes.end(), part.episodes.begin(), part.episodes.end());
+    }
   }
+  std::size_t driven = 0;
   for (const SuiteResult& result : results) driven += result.episodes.size();
   row_against(compared(results), options.against);
-  const Report report = report_of(results, options.against);
-  std::cout << report_in_words(results, report);
-  write_json(options.json, results, driven, &report);
-  return 0;
+  Provenance made;
+  if (all.size() == 1) made = all.front().files.front().made;
+  made.shard = made.of = 1;
+  return conclude(options, results, driven, made);
+}
+
+/// Of all drives that one run drives: what they depend on.
+std::string text_of(const EvaluateOptions& options, const std::vector<Suite>& suites,
+                    const std::vector<Job>& jobs) {
+  std::string text;
+  std::map<std::tuple<std::size_t, std::size_t, std::string, std::string, std::string>, std::string> graphs;
+  for (const Job& job : jobs) {
+    std::string& graph = graphs[{job.suite, job.episode, job.planner, job.variant, job.value}];
+    if (graph.empty()) {
+      // A mistake in the last episode is found before the first one is driven.
+      graph = text_of(graph_of(options, suites[job.suite], job));
+      text += graph;
+    }
+    text += fmt::format("{} {} {} {}\n", job.suite, job.episode, job.seed, job.value);
+  }
+  return text;
+}
+
+/// By processes of their own. Shards stay beside the result until it is written.
+int evaluate_in_shards(const EvaluateOptions& options, std::size_t planned, const Provenance& made) {
+  if (!options.failures_dir.empty() || !options.shard.empty())
+    throw std::runtime_error("--jobs goes neither with --failures nor with --shard");
+  std::optional<TemporaryFolder> temporary;
+  if (options.json.empty()) temporary.emplace();
+  const std::filesystem::path folder =
+      temporary ? temporary->path() : std::filesystem::path(options.json + ".shards");
+  const std::vector<ResultsFile> shards = drive_in_shards(options, planned, made, folder);
+  if (shards.empty()) {
+    std::cout << fmt::format("interrupted: the same command goes on with what is in {}\n", folder.string());
+    return 1;
+  }
+  const int status = conclude(options, merge(shards), planned, made);
+  std::filesystem::remove_all(folder);
+  return status;
 }
 
 int evaluate(const EvaluateOptions& options) {
@@ -222,29 +306,31 @@ int evaluate(const EvaluateOptions& options) {
     suites.push_back(load_suite(file));
     results.push_back({file, {}});
   }
-  const std::vector<Job> jobs = jobs_of(options, suites);
-  // A mistake in the last episode is found before the first one is driven.
-  for (const Job& job : jobs) graph_of(options, suites[job.suite], job);
-
-  std::size_t driven = 0;
-  write_json(options.json, results, jobs.size());
+  const std::vector<Job> all = jobs_of(options, suites);
+  const Shard shard = shard_of(options);
+  const std::vector<Job> jobs = part_of(all, shard);
+  const Provenance made = provenance_of(text_of(options, suites, all), shard.number, shard.of);
   cli::catch_interrupts();
+  if (options.jobs > 1) return evaluate_in_shards(options, all.size(), made);
+
+  const DomainLease domain;
+  std::size_t driven = 0;
+  write_json(options.json, results, jobs.size(), made);
   std::optional<FailureAlbum> album;
   if (!options.failures_dir.empty()) album.emplace(options.failures_dir, write_report_page);
   for (const Job& job : jobs) {
     const EpisodeResult result = drive_job(options, suites[job.suite], job, album ? &*album : nullptr);
     if (cli::interrupted()) break;
     results[job.suite].episodes.push_back(result);
-    write_json(options.json, results, jobs.size());
+    write_json(options.json, results, jobs.size(), made);
     std::cerr << fmt::format("[{}/{}] {}{}\n", ++driven, jobs.size(), result.succeeded() ? "" : "FAILED ",
                              in_a_line(result));
   }
 
-  const Report report = report_of(results, options.against);
-  std::cout << report_in_words(results, report);
-  if (driven > 0) write_json(options.json, results, jobs.size(), &report);
-  if (driven < jobs.size()) std::cout << fmt::format("interrupted: {} of {} drives\n", driven, jobs.size());
-  return driven == jobs.size() && enough_succeeded(report, options.at_least) ? 0 : 1;
+  if (driven == jobs.size()) return conclude(options, results, jobs.size(), made);
+  std::cout << report_in_words(results, report_of(results, options.against))
+            << fmt::format("interrupted: {} of {} drives\n", driven, jobs.size());
+  return 1;
 }
 
 void add_evaluate(cli::Verb verb) {
@@ -257,6 +343,7 @@ void add_evaluate(cli::Verb verb) {
   verb.option("--episode", options->only_episode, "Only the episode of this name");
   verb.option("--set", options->set, "component.param=value for all episodes, as often as needed")
       .one_each_time();
+  verb.option("--jobs", options->jobs, "Drives at a time, in processes of their own (1)").within(1, 1024);
   verb.option("--shard", options->shard, "I/N: only every N-th drive, beginning with the I-th");
   verb.option(
       "--json", options->json,

@@ -58,27 +58,33 @@ Varied varied_of(const EvaluateOptions& options) {
   return varied;
 }
 
+Shard shard_of(const EvaluateOptions& options) {
+  if (options.shard.empty()) return {};
+  const auto given = number_pair(options.shard, "/");
+  if (!given || given->first < 1 || given->first > given->second)
+    throw std::runtime_error("--shard " + options.shard + ": must be I/N with 1 <= I <= N");
+  return {given->first, given->second};
+}
+
+std::vector<Job> part_of(const std::vector<Job>& jobs, const Shard& shard) {
+  std::vector<Job> part;
+  for (auto k = static_cast<std::size_t>(shard.number - 1); k < jobs.size();
+       k += static_cast<std::size_t>(shard.of))
+    part.push_back(jobs[k]);
+  if (part.empty()) throw std::runtime_error("no episode is chosen");
+  return part;
+}
+
 std::vector<Job> jobs_of(const EvaluateOptions& options, const std::vector<Suite>& suites) {
-  std::pair<std::int64_t, std::int64_t> shard{1, 1};
-  if (!options.shard.empty()) {
-    const auto given = number_pair(options.shard, "/");
-    if (!given || given->first < 1 || given->first > given->second) {
-      throw std::runtime_error("--shard " + options.shard + ": must be I/N with 1 <= I <= N");
-    }
-    shard = *given;
-  }
   const Varied varied = varied_of(options);
   std::vector<Job> jobs;
-  std::int64_t index = 0;
   for (std::size_t suite = 0; suite < suites.size(); ++suite) {
     const SeedRange seeds = seeds_of(options, suites[suite]);
     const std::vector<SuiteEpisode>& episodes = suites[suite].options.episodes;
     const auto add = [&](std::size_t episode, const std::string& planner, const std::string& variant) {
       for (const std::string& value : varied.values) {
-        for (std::int64_t seed = seeds.first; seed <= seeds.last; ++seed) {
-          if (index++ % shard.second == shard.first - 1)
-            jobs.push_back({suite, episode, seed, planner, variant, value});
-        }
+        for (std::int64_t seed = seeds.first; seed <= seeds.last; ++seed)
+          jobs.push_back({suite, episode, seed, planner, variant, value});
       }
     };
     for (const std::string& planner : options.planners) {

@@ -27,6 +27,7 @@ struct EvaluateOptions {
   std::string failures_dir;
   std::vector<std::string> from;  ///< [LABEL:]FILE
   double at_least = 0.0;
+  int jobs = 1;  ///< drives at a time, in processes of their own
 };
 
 /// One drive still to be done.
@@ -49,7 +50,17 @@ struct Varied {
 /// does.
 Varied varied_of(const EvaluateOptions& options);
 
-/// The jobs of this shard: every n-th, so that shards are alike in length. At least one.
+/// Which part of all jobs: every n-th, so that shards are alike in length.
+struct Shard {
+  std::int64_t number = 1;
+  std::int64_t of = 1;
+};
+/// Of --shard; the whole where nothing is said.
+Shard shard_of(const EvaluateOptions& options);
+
+/// All jobs, in order. At least one.
 std::vector<Job> jobs_of(const EvaluateOptions& options, const std::vector<Suite>& suites);
+/// Those of a shard.
+std::vector<Job> part_of(const std::vector<Job>& jobs, const Shard& shard);
 
 }  // namespace bw

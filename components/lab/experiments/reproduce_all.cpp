@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "components/lab/experiments/all_report.hpp"
-#include "components/lab/experiments/child_pool.hpp"
+#include "components/lab/shards/child_pool.hpp"
 #include "components/lab/experiments/reproduce_report.hpp"
 #include "components/lab/report/report_page.hpp"
 #include "runtime/atomic_file.hpp"

@@ -77,6 +77,66 @@ TEST(Evaluate, SameSeedSameBytesAnotherSeedOthers) {
   EXPECT_EQ(hash(both, 1), hash(second, 0));
 }
 
+// What differs between two machines or two runs: times and memory.
+nlohmann::json without_times(nlohmann::json json) {
+  if (json.is_object())
+    for (const char* key : {"planner_ms", "process", "real_time_s", "realtime_factor"}) json.erase(key);
+  if (json.is_structured())
+    for (nlohmann::json& value : json) value = without_times(value);
+  return json;
+}
+
+// Four drives in one process, in four processes, and again where one shard is there and another was cut: the same file,
+// times apart, and nothing left beside it.
+TEST(Evaluate, InShardsIsTheSameAsInOneRun) {
+  const std::string suite = kSuites + "hallway.yaml --planners teb,pteb --episode light --seeds 3..4";
+  const Outcome one = evaluate(suite);
+  ASSERT_EQ(one.json["driven"], 4);
+  const auto shards = folder() / "out.json.shards";
+  std::filesystem::remove_all(shards);
+  const Outcome two = evaluate(suite + " --jobs 2");
+  EXPECT_EQ(two.status, 0);
+  EXPECT_EQ(without_times(one.json), without_times(two.json));
+  EXPECT_FALSE(std::filesystem::exists(shards));
+
+  const Outcome third = evaluate(suite + " --shard 3/4");
+  ASSERT_EQ(third.json["driven"], 1);
+  std::filesystem::create_directories(shards);
+  std::ofstream(shards / "3.json") << third.json;
+  std::ofstream(shards / "4.json") << third.json.dump().substr(0, 500);
+  const std::filesystem::file_time_type written = std::filesystem::last_write_time(shards / "3.json");
+  const Outcome again = evaluate(suite + " --jobs 2");
+  EXPECT_EQ(without_times(one.json), without_times(again.json));
+  // Killed at once, nothing is lost that was there; the time of a file tells that it was not made again.
+  std::filesystem::create_directories(shards);
+  std::ofstream(shards / "3.json") << third.json;
+  std::filesystem::last_write_time(shards / "3.json", written);
+  bw::test::Process killed({BANDWAGON_PROGRAM, "evaluate", kSuites + "hallway.yaml", "--planners", "teb,pteb",
+                            "--episode", "light", "--seeds", "3..4", "--jobs", "2", "--json",
+                            (folder() / "out.json").string()});
+  killed.signal(SIGKILL);
+  killed.wait(std::chrono::seconds(20));
+  EXPECT_EQ(std::filesystem::last_write_time(shards / "3.json"), written);
+  std::filesystem::remove_all(shards);
+}
+
+TEST(Evaluate, ShardsOfAnotherEvaluationAreRefused) {
+  const std::string suite = kSuites + "hallway.yaml --planners teb --episode light --seeds 3..4";
+  const auto keep = [](const Outcome& run, const char* name) {
+    std::ofstream(folder() / name) << run.json;
+    return " --from " + (folder() / name).string();
+  };
+  const std::string first = keep(evaluate(suite + " --shard 1/2"), "1.json");
+  const std::string second = keep(evaluate(suite + " --shard 2/2"), "2.json");
+  const std::string other =
+      keep(evaluate(suite + " --shard 2/2 --set local_planner.controller_frequency=5"), "other.json");
+  EXPECT_EQ(evaluate(first + second).json["driven"], 2);
+  EXPECT_EQ(evaluate(first).status, 2) << "one is missing";
+  EXPECT_EQ(evaluate(first + first).status, 2);
+  EXPECT_EQ(evaluate(first + other).status, 2);
+  EXPECT_EQ(evaluate(suite + " --jobs 2 --shard 1/2").status, 2);
+}
+
 // One figure, the navigator's, moves planner and judge with it; a planner that is told to end its drive
 // outside of it does not. Before, all but the first of these ended without a goal reached.
 TEST(Evaluate, TheGoalToleranceOfTheNavigatorIsThatOfAll) {

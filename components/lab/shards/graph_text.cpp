@@ -1,4 +1,4 @@
-#include "components/lab/experiments/graph_text.hpp"
+#include "components/lab/shards/graph_text.hpp"
 
 #include <filesystem>
 #include <fstream>

@@ -1,5 +1,5 @@
 // Two graphs with the same text drive alike: what a kept drive is found again by.
-#include "components/lab/experiments/graph_text.hpp"
+#include "components/lab/shards/graph_text.hpp"
 
 #include <gtest/gtest.h>
 

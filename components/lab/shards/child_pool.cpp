@@ -1,4 +1,4 @@
-#include "components/lab/experiments/child_pool.hpp"
+#include "components/lab/shards/child_pool.hpp"
 
 #include <algorithm>
 #include <cerrno>

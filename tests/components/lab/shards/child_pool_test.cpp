@@ -1,5 +1,5 @@
 // Children a few at a time: order, statuses, estimate, and an end by a person.
-#include "components/lab/experiments/child_pool.hpp"
+#include "components/lab/shards/child_pool.hpp"
 
 #include <fstream>
 #include <iterator>
