@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <ctime>
+#include <functional>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -31,9 +33,26 @@ double mean(const std::vector<double>& samples) {
   return std::accumulate(samples.begin(), samples.end(), 0.0) / static_cast<double>(samples.size());
 }
 
+namespace {
+
+std::function<nlohmann::ordered_json()>& provenance() {
+  static std::function<nlohmann::ordered_json()> made;
+  return made;
+}
+
+}  // namespace
+
+void tell_provenance(std::function<nlohmann::ordered_json()> made) { provenance() = std::move(made); }
+
 void write_json(const std::string& path, const nlohmann::ordered_json& value) {
   if (path.empty()) return;
-  write_file_atomically(path, value.dump(1) + "\n");
+  if (!value.is_object() || !provenance()) {
+    write_file_atomically(path, value.dump(1) + "\n");
+    return;
+  }
+  nlohmann::ordered_json told = value;
+  told["made"] = provenance()();
+  write_file_atomically(path, told.dump(1) + "\n");
 }
 
 PlannerOptions options_for(const SceneFile& file, BenchWeights weights, PlannerOptions options,

@@ -1,6 +1,7 @@
 // Timing and statistics of the benches.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ double thread_cpu_ms();
 
 /// 0 without samples.
 double mean(const std::vector<double>& samples);
+
+/// What write_json() says of every object, as `made`: program and command. Nothing until it is told.
+void tell_provenance(std::function<nlohmann::ordered_json()> made);
 
 /// Throws std::runtime_error when the file cannot be written. An empty path writes nothing.
 void write_json(const std::string& path, const nlohmann::ordered_json& value);

@@ -7,6 +7,7 @@
 
 #include "components/lab/bench/bench.hpp"
 #include "components/lab/bench/bench_bag.hpp"
+#include "components/lab/bench/bench_common.hpp"
 #include "components/lab/bench/bench_course.hpp"
 #include "components/lab/bench/bench_crowdnav.hpp"
 #include "components/lab/bench/bench_people.hpp"
@@ -19,6 +20,7 @@
 #include "components/lab/bench/slam/bench_rounds.hpp"
 #include "components/lab/bench/slam/bench_slam.hpp"
 #include "components/lab/report/report_page.hpp"
+#include "components/lab/shards/provenance.hpp"
 #include "runtime/cli/verb.hpp"
 #include "runtime/parameters/overrides.hpp"
 #include "runtime/parameters/parameters.hpp"
@@ -395,6 +397,7 @@ void add_explore(cli::Verb bench) {
 }
 
 void add_bench(cli::Verb bench) {
+  tell_provenance(citation);
   add_teb(bench);
   add_crowd(bench);
   add_crowdnav(bench);

@@ -179,6 +179,7 @@ void write_json(const std::string& file, const std::vector<SuiteResult>& results
   all["driven"] = driven;
   all["complete"] = driven == planned;
   all["made"] = to_json(made);
+  for (const char* key : {"date", "command"}) all["made"][key] = citation()[key];
   write_file_atomically(file, all.dump(2) + "\n");
 }
 

@@ -1,5 +1,7 @@
 #include "components/lab/shards/provenance.hpp"
 
+#include <ctime>
+#include <fstream>
 #include <span>
 
 #include "runtime/build_identity.hpp"
@@ -11,6 +13,22 @@ Provenance provenance_of(const std::string& drives, std::int64_t shard, std::int
   SampleHash hash;
   hash.add("", Time{}, std::span(reinterpret_cast<const std::uint8_t*>(drives.data()), drives.size()));
   return {build_id(), source_revision(), cpu_type(), hash.hex(), shard, of};
+}
+
+nlohmann::ordered_json citation() {
+  std::ifstream in("/proc/self/cmdline", std::ios::binary);
+  std::string command;
+  for (std::string word; std::getline(in, word, '\0');) command += (command.empty() ? "" : " ") + word;
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  char date[16];
+  const std::size_t length = std::strftime(date, sizeof date, "%Y-%m-%d", &utc);
+  return {{"revision", source_revision()},
+          {"build", build_id()},
+          {"cpu", cpu_type()},
+          {"date", std::string(date, length)},
+          {"command", command}};
 }
 
 nlohmann::json to_json(const Provenance& made) {

@@ -23,6 +23,9 @@ struct Provenance {
 /// With what this program is. `drives`: texts of all drives in their order.
 Provenance provenance_of(const std::string& drives, std::int64_t shard, std::int64_t of);
 
+/// For who cites a result: {revision, build, cpu, date, command}; the date is today's, UTC.
+nlohmann::ordered_json citation();
+
 nlohmann::json to_json(const Provenance& made);
 /// Throws nlohmann::json::exception.
 Provenance provenance_from(const nlohmann::json& json);

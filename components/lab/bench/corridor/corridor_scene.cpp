@@ -69,7 +69,7 @@ std::vector<PedsimPerson> corridor_people(int people, std::uint64_t seed) {
 
 DriveScene corridor_scene(int people, std::uint64_t seed) {
   DriveScene scene;
-  scene.name = fmt::format("{} people, seed {}", people, seed);
+  scene.name = fmt::format("{} people seed {}", people, seed);
   std::vector<Segment> walls;
   for (const double y : {-kCorridorPeopleWalls, kCorridorPeopleWalls})
     walls.push_back({{kWallFrom, y}, {kWallTo, y}});

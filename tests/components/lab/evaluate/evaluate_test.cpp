@@ -77,10 +77,11 @@ TEST(Evaluate, SameSeedSameBytesAnotherSeedOthers) {
   EXPECT_EQ(hash(both, 1), hash(second, 0));
 }
 
-// What differs between two machines or two runs: times and memory.
+// What differs between two machines or two runs: times, memory, and the command.
 nlohmann::json without_times(nlohmann::json json) {
   if (json.is_object())
-    for (const char* key : {"planner_ms", "process", "real_time_s", "realtime_factor"}) json.erase(key);
+    for (const char* key : {"planner_ms", "process", "real_time_s", "realtime_factor", "command"})
+      json.erase(key);
   if (json.is_structured())
     for (nlohmann::json& value : json) value = without_times(value);
   return json;

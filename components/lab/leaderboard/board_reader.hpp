@@ -1,0 +1,16 @@
+// What benches and evaluations wrote, as suites of a leaderboard.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "components/lab/leaderboard/board.hpp"
+
+namespace bw {
+
+/// Adds the drives of a file of `evaluate --json`, or of `bench crowd`, `crowdnav`, `corridor` or `dynabarn`. Rows of a
+/// suite that is there already stand beside its others; the same planner twice is refused. Throws std::runtime_error that
+/// names the file.
+void read_board(const std::filesystem::path& file, std::vector<BoardSuite>& suites);
+
+}  // namespace bw

@@ -1,0 +1,55 @@
+// `bandwagon-lab leaderboard`: results of benches and evaluations as one page.
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "components/lab/leaderboard/board_page.hpp"
+#include "components/lab/leaderboard/board_reader.hpp"
+#include "components/lab/report/report_page.hpp"
+#include "runtime/atomic_file.hpp"
+#include "runtime/cli/verb.hpp"
+
+namespace bw {
+namespace {
+
+void print(const std::vector<BoardSuite>& suites) {
+  for (const BoardSuite& suite : suites) {
+    std::cout << suite.name << (suite.whole_graph ? ", whole graphs\n" : ", planners alone\n");
+    for (const BoardFigures& f : figures_of(suite))
+      std::cout << fmt::format("  {} {:<24} {:5.1f} % ({:.1f} to {:.1f}), {} drives from {} starts{}\n",
+                               f.wins ? '*' : ' ', f.planner, 100.0 * f.share(), 100.0 * f.success.low,
+                               100.0 * f.success.high, f.drives, f.starts,
+                               f.time ? fmt::format(", {:.2f} s", *f.time) : "");
+  }
+  std::cout << "* the best, or not shown to be worse\n";
+}
+
+void add_leaderboard(cli::Verb verb) {
+  struct Options {
+    std::vector<std::filesystem::path> files;
+    std::string out;
+    std::string json;
+  };
+  auto options = std::make_shared<Options>();
+  verb.option("FILE", options->files, "Results of evaluate or bench (--json)").required();
+  verb.option("-o,--out", options->out, "The page, one HTML file that needs nothing else");
+  verb.option("--json", options->json, "Writes the figures here");
+  verb.run([options] {
+    if (!options->out.empty()) require_report_page("--out " + options->out);
+    std::vector<BoardSuite> suites;
+    for (const std::filesystem::path& file : options->files) read_board(file, suites);
+    print(suites);
+    if (!options->out.empty()) write_report_page(board_page(suites), options->out);
+    if (!options->json.empty()) write_file_atomically(options->json, to_json(suites).dump(2) + "\n");
+    return 0;
+  });
+}
+
+}  // namespace
+
+BW_VERB(measure, "leaderboard", "Planners beside each other in several suites, as one page", add_leaderboard)
+
+}  // namespace bw
