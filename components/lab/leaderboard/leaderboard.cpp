@@ -8,6 +8,7 @@
 
 #include "components/lab/leaderboard/board_page.hpp"
 #include "components/lab/leaderboard/board_reader.hpp"
+#include "components/lab/leaderboard/gate.hpp"
 #include "components/lab/report/report_page.hpp"
 #include "runtime/atomic_file.hpp"
 #include "runtime/cli/verb.hpp"
@@ -27,16 +28,33 @@ void print(const std::vector<BoardSuite>& suites) {
   std::cout << "* the best, or not shown to be worse\n";
 }
 
+// The exit status.
+int hold_to(const GateRecord& before, const GateRecord& now) {
+  bool failed = false;
+  for (const GateRow& row : compare(before, now)) {
+    std::cout << fmt::format("gate: {} {}, {} of {} drives lost and {} won, p {:.3f}{}\n", row.suite,
+                             row.planner, row.lost, row.pairs, row.won, row.p, row.failed ? ": WORSE" : "");
+    failed |= row.failed;
+  }
+  return failed ? 1 : 0;
+}
+
 void add_leaderboard(cli::Verb verb) {
   struct Options {
     std::vector<std::filesystem::path> files;
     std::string out;
     std::string json;
+    std::string gate;
+    std::string write_gate;
   };
   auto options = std::make_shared<Options>();
   verb.option("FILE", options->files, "Results of evaluate or bench (--json)").required();
   verb.option("-o,--out", options->out, "The page, one HTML file that needs nothing else");
   verb.option("--json", options->json, "Writes the figures here");
+  verb.option("--gate", options->gate,
+              "Exit status 1 where drives of this file that succeeded do not any more (McNemar, p < 0.01)")
+      .existing_file();
+  verb.option("--write-gate", options->write_gate, "Writes that file");
   verb.run([options] {
     if (!options->out.empty()) require_report_page("--out " + options->out);
     std::vector<BoardSuite> suites;
@@ -44,7 +62,8 @@ void add_leaderboard(cli::Verb verb) {
     print(suites);
     if (!options->out.empty()) write_report_page(board_page(suites), options->out);
     if (!options->json.empty()) write_file_atomically(options->json, to_json(suites).dump(2) + "\n");
-    return 0;
+    if (!options->write_gate.empty()) write_file_atomically(options->write_gate, to_text(record_of(suites)));
+    return options->gate.empty() ? 0 : hold_to(read_gate(options->gate), record_of(suites));
   });
 }
 
