@@ -1,0 +1,86 @@
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "components/lab/tune/successive_halving.hpp"
+#include "components/lab/tune/tune_log.hpp"
+#include "components/lab/tune/tuned_parameters.hpp"
+#include "components/model/random.hpp"
+
+namespace bw::tune {
+namespace {
+
+// Candidate k costs |k - 70| / 100 and noise of 0.1: of 100 the best is found within 3, and 0, today's, drives to the end.
+TEST(SuccessiveHalving, FindsTheBestInNoiseWithinItsDrives) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const std::size_t count = candidates_for(2000);
+    EXPECT_GE(count, 90U);
+    std::size_t driven = 0;
+    const auto ranked = successive_halving(count, [&](std::size_t k, std::size_t first, std::size_t n) {
+      std::vector<double> costs;
+      for (std::size_t i = 0; i < n; ++i) {
+        Random random(seed * 1'000'000 + k * 1000 + first + i);
+        costs.push_back(std::abs(static_cast<double>(k) - 70.0) / 100.0 + 0.1 * random.normal());
+      }
+      driven += n;
+      return costs;
+    });
+    EXPECT_LE(driven, 2000U);
+    EXPECT_NEAR(static_cast<double>(ranked.front().number), 70.0, 3.0) << seed;
+    EXPECT_EQ(ranked.front().episodes, 162U);
+    const auto today =
+        std::find_if(ranked.begin(), ranked.end(), [](const Candidate& c) { return c.number == 0; });
+    EXPECT_EQ(today->episodes, 162U);
+  }
+}
+
+TEST(TunedParameters, AreTheNumbersOfItsSection) {
+  for (const char* planner : {"eteb", "teb", "mppi", "edwa", "orca"}) {
+    const std::vector<TunedParameter> parameters = parameters_of(planner, {});
+    EXPECT_GE(parameters.size(), 2U) << planner;
+    for (const TunedParameter& p : parameters) {
+      const std::string section = p.name.substr(0, p.name.find('.'));
+      EXPECT_TRUE(p.name.find('.') == std::string::npos || section == planner || section == "teb") << p.name;
+      EXPECT_GE(p.value, p.min) << p.name;
+      EXPECT_LE(p.value, p.max) << p.name;
+    }
+  }
+  EXPECT_THROW(parameters_of("eteb", {"teb.no_such"}), std::runtime_error);
+}
+
+// Today's is candidate 0; every candidate can be read, and a planner made of it.
+TEST(TunedParameters, CandidatesKeepToWhatIsAllowed) {
+  const std::vector<TunedParameter> parameters = parameters_of("eteb", {});
+  EXPECT_TRUE(settings_of(parameters, 0, 1).empty());
+  EXPECT_EQ(settings_of(parameters, 5, 1), settings_of(parameters, 5, 1));
+  EXPECT_NE(settings_of(parameters, 5, 1), settings_of(parameters, 6, 1));
+  for (std::size_t k = 0; k < 200; ++k) {
+    PlannerOptions options;
+    ASSERT_NO_THROW(set_parameters(settings_of(parameters, k, 1), options)) << k;
+    EXPECT_NE(make_planner("eteb", options), nullptr);
+  }
+}
+
+TEST(TuneLog, GoesOnWhereItWas) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "bandwagon_tune.log";
+  std::filesystem::remove(file);
+  {
+    TuneLog log(file, "head");
+    log.add(3, 20001, {true, 12.5, 30.0});
+    log.add(3, 20002, {false, 30.0, 30.0});
+  }
+  std::ofstream(file, std::ios::app) << "4 20001 1 12";
+  TuneLog log(file, "head");
+  EXPECT_EQ(log.size(), 2U) << "the line that was cut is driven again";
+  ASSERT_TRUE(log.find(3, 20001));
+  EXPECT_DOUBLE_EQ(log.find(3, 20001)->cost(), 0.1 * 12.5 / 30.0);
+  EXPECT_DOUBLE_EQ(log.find(3, 20002)->cost(), 1.0);
+  EXPECT_FALSE(log.find(4, 20001));
+  EXPECT_THROW(TuneLog(file, "another head"), std::runtime_error);
+  std::filesystem::remove(file);
+}
+
+}  // namespace
+}  // namespace bw::tune
