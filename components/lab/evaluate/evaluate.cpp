@@ -15,7 +15,7 @@
 #include "components/lab/report/report_page.hpp"
 #include "components/lab/shards/domain_lease.hpp"
 #include "components/lab/shards/graph_text.hpp"
-#include "components/lab/shards/merge.hpp"
+#include "components/lab/evaluate/merge.hpp"
 #include "components/program/drive.hpp"
 #include "components/program/drive_page/drive_page.hpp"
 #include "runtime/atomic_file.hpp"

@@ -53,10 +53,10 @@ bool is_done(const std::filesystem::path& file, const Provenance& made) {
 }
 
 std::string last_words(const std::filesystem::path& log) {
-  constexpr std::size_t kMost = 500;
+  constexpr std::size_t kMax = 500;
   std::ifstream in(log);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
-  return text.substr(text.size() - std::min(text.size(), kMost));
+  return text.substr(text.size() - std::min(text.size(), kMax));
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "components/lab/evaluate/jobs.hpp"
-#include "components/lab/shards/merge.hpp"
+#include "components/lab/evaluate/merge.hpp"
 
 namespace bw {
 

@@ -1,5 +1,5 @@
 // Shards of an evaluation as one: order, and what is refused.
-#include "components/lab/shards/merge.hpp"
+#include "components/lab/evaluate/merge.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -81,14 +81,6 @@ TEST(ResultsFile, ThatIsCutIsRefusedByName) {
     EXPECT_THAT(error.what(), HasSubstr("bandwagon_cut.json: holds no drives of `evaluate --json`"));
   }
   std::filesystem::remove(file);
-}
-
-TEST(Provenance, IsTheSameFromItsJson) {
-  const Provenance made = provenance_of("drives", 3, 8);
-  EXPECT_EQ(provenance_from(to_json(made)), made);
-  EXPECT_EQ(made.drives.size(), 64U);
-  EXPECT_NE(provenance_of("other drives", 3, 8).drives, made.drives);
-  EXPECT_EQ(difference(made, provenance_of("drives", 4, 8)), "");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "components/lab/shards/merge.hpp"
+#include "components/lab/evaluate/merge.hpp"
 
 #include <algorithm>
 #include <fstream>
