@@ -1,4 +1,4 @@
-// `bandwagon bench crowdnav`: CrowdNav's circle and square, CrowdNav++'s crowds (protocols.md 8.11, 8.15), without DDS.
+// `bandwagon bench crowdnav`: CrowdNav's circle and square, CrowdNav++'s crowds (protocols.md 8.11, 8.14), without DDS.
 #pragma once
 
 #include <functional>

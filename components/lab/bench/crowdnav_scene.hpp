@@ -1,5 +1,5 @@
 // The test scenes of CrowdNav (Chen, Liu, Kreiss and Alahi 2019): a robot and five people who cross; and of CrowdNav++
-// (Liu et al. 2023): a robot among twenty. From the seeds of their 500 test cases (protocols.md 8.11, 8.15). Metres.
+// (Liu et al. 2023): a robot among twenty. From the seeds of their 500 test cases (protocols.md 8.11, 8.14). Metres.
 #pragma once
 
 #include <array>

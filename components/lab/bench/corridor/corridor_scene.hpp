@@ -1,5 +1,5 @@
 // The corridor of T-MPC's experiments (de Groot et al. 2024): 6 m wide for the robot, people who come and go the same way
-// (protocols.md 8.15). Frame: x along it, the robot starts at the origin. Metres, seconds.
+// (bench/protocols.md 8.15). Frame: x along it, the robot starts at the origin. Metres, seconds.
 #pragma once
 
 #include <cstdint>

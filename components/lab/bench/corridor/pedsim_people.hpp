@@ -1,4 +1,4 @@
-// People by the social forces of libpedsim as T-MPC's experiments have them (protocols.md 8.15): drawn to a goal, round
+// People by the social forces of libpedsim as T-MPC's experiments have them (bench/protocols.md 8.15): drawn to a goal, round
 // each other and the robot, off the nearest wall. Metres, seconds.
 #pragma once
 
