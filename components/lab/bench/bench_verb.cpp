@@ -196,7 +196,7 @@ void add_corridor(cli::Verb bench) {
   verb.run([corridor] {
     std::vector<SceneSet> sets;
     for (const double people : corridor->people) {
-      sets.push_back({fmt::format("{:.0f} people", people), {}});
+      sets.push_back({fmt::format("corridor, {:.0f} people", people), {}});
       for (int i = 0; i < corridor->drives; ++i)
         sets.back().scenes.push_back(
             corridor_scene(static_cast<int>(people), corridor->first + static_cast<std::uint64_t>(i)));
@@ -222,7 +222,7 @@ void add_dynabarn(cli::Verb bench) {
   verb.run([dynabarn] {
     std::vector<SceneSet> sets;
     for (const DynaBarnWorld& world : read_dynabarn(dynabarn->worlds)) {
-      const std::string difficulty = difficulty_of(world);
+      const std::string difficulty = "DynaBARN, " + difficulty_of(world);
       if (sets.empty() || sets.back().name != difficulty) sets.push_back({difficulty, {}});
       for (int i = 0; i < dynabarn->phases; ++i)
         sets.back().scenes.push_back(dynabarn_scene(world, dynabarn->first + static_cast<std::uint64_t>(i)));

@@ -99,7 +99,7 @@ void add_file(Suites& suites, const Json& root) {
     for (const Json& row : root.at("rows"))
       suites.add(row.at("set").get<std::string>() + with, false, row.at("planner"), row.at("drives"));
   } else if (root.contains("scene")) {
-    const std::string name = fmt::format("{}, robot {}{}", root.at("scene").get<std::string>(),
+    const std::string name = fmt::format("CrowdNav's {}, robot {}{}", root.at("scene").get<std::string>(),
                                          root.value("visible", false) ? "visible" : "invisible",
                                          root.value("sampled", false) ? ", contacts sampled" : "");
     for (const Json& row : root.at("planners"))
@@ -108,6 +108,11 @@ void add_file(Suites& suites, const Json& root) {
     for (const Json& crowd : root.at("crowds"))
       for (const Json& row : crowd.at("planners"))
         suites.add(crowd.at("name"), false, row.at("planner"), row.at("episodes"));
+  } else if (root.contains("planners")) {
+    for (const Json& row : root.at("planners"))
+      suites.add("walkers who do not react", false, row.at("planner"), row.at("episodes"));
+  } else if (root.contains("episodes")) {
+    suites.add("walkers who do not react", false, root.at("planner"), root.at("episodes"));
   } else {
     throw std::runtime_error("holds no drives");
   }

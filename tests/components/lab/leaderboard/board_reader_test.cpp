@@ -65,6 +65,17 @@ TEST_F(BoardFiles, OfEvaluationsHaveARowForEachPlanner) {
   EXPECT_THAT(page, testing::HasSubstr("[teb, full, seed 1](f.html)"));
 }
 
+// `bench crowd`: one planner is a row alone, several are `planners`.
+TEST_F(BoardFiles, OfACrowdHaveOnePlannerOrSeveral) {
+  const std::string row = R"({"planner": "teb", "episodes": [{"name": "31001", "success": true, "time_s": 20.0}]})";
+  read_board(file("one.json", row), suites);
+  read_board(file("two.json", R"({"planners": [{"planner": "eteb", "episodes": []}]})"), suites);
+  ASSERT_EQ(suites.size(), 1U);
+  EXPECT_EQ(suites[0].name, "walkers who do not react");
+  ASSERT_EQ(suites[0].rows.size(), 2U);
+  EXPECT_EQ(suites[0].rows[0].drives[0].key, "31001");
+}
+
 TEST_F(BoardFiles, AreRefusedByName) {
   EXPECT_THAT(fault("{"), testing::HasSubstr("bad.json: "));
   EXPECT_THAT(fault(R"({"x": 1})"), testing::HasSubstr("bad.json: holds no drives"));
