@@ -3,36 +3,25 @@
 #include <memory>
 #include <stdexcept>
 
-#include <fmt/format.h>
-
 #include "components/lab/bench/bench.hpp"
 #include "components/lab/bench/bench_bag.hpp"
 #include "components/lab/bench/bench_common.hpp"
 #include "components/lab/bench/bench_course.hpp"
 #include "components/lab/bench/bench_crowdnav.hpp"
 #include "components/lab/bench/bench_people.hpp"
-#include "components/lab/bench/bench_scenes.hpp"
-#include "components/lab/bench/corridor/corridor_scene.hpp"
-#include "components/lab/bench/dynabarn_world.hpp"
 #include "components/lab/bench/explore/bench_explore.hpp"
+#include "components/lab/bench/planner_overrides.hpp"
 #include "components/lab/bench/scaling.hpp"
+#include "components/lab/bench/scenes_verb.hpp"
 #include "components/lab/bench/slam/bench_relations.hpp"
 #include "components/lab/bench/slam/bench_rounds.hpp"
 #include "components/lab/bench/slam/bench_slam.hpp"
 #include "components/lab/report/report_page.hpp"
 #include "components/lab/shards/provenance.hpp"
 #include "runtime/cli/verb.hpp"
-#include "runtime/parameters/overrides.hpp"
-#include "runtime/parameters/parameters.hpp"
 
 namespace bw {
 namespace {
-
-void apply_overrides(PlannerOptions& options, const std::vector<std::string>& set) {
-  ConfigNode root;
-  for (const std::string& text : set) apply_override(root, parse_override(text));
-  read_into(options, root, "");
-}
 
 void add_teb(cli::Verb bench) {
   static const std::map<std::string, std::vector<BenchWeights>> kWeights = {
@@ -152,82 +141,6 @@ void add_crowdnav(cli::Verb bench) {
   verb.run([crowdnav, set] {
     crowdnav->adjust = [set](PlannerOptions& options) { apply_overrides(options, *set); };
     return bench_crowdnav(*crowdnav);
-  });
-}
-
-struct ScenesVerb {
-  BenchScenesArguments arguments;
-  std::vector<std::string> set;
-};
-
-// Options of both kinds of scenes.
-void add_scene_options(cli::Verb& verb, const std::shared_ptr<ScenesVerb>& scenes) {
-  verb.option_function(
-          "--prediction",
-          [scenes](const std::string& name) {
-            if (name == to_text(ScenePrediction::roll_out))
-              scenes->arguments.prediction = ScenePrediction::roll_out;
-          },
-          "constant_velocity (default), or roll_out by the others' own rule")
-      .one_of({"constant_velocity", "roll_out"});
-  verb.option("--planner", scenes->arguments.planners, "Planner names, separated by commas")
-      .separated_by_commas();
-  verb.option("--set", scenes->set, "Planner parameter, as teb.band.weights.time=2; as often as needed")
-      .one_each_time();
-  verb.option("--jobs", scenes->arguments.jobs, "Drives at a time; above 1 in thread CPU ms").within(1, 64);
-  verb.option("--json", scenes->arguments.json, "Writes the figures here");
-  scenes->arguments.adjust = [scenes = scenes.get()](PlannerOptions& options) {
-    apply_overrides(options, scenes->set);
-  };
-}
-
-void add_corridor(cli::Verb bench) {
-  struct Corridor : ScenesVerb {
-    std::vector<double> people = {4, 8, 12};
-    int drives = 200;
-    std::uint64_t first = 1;
-  };
-  auto corridor = std::make_shared<Corridor>();
-  cli::Verb verb = bench.verb("corridor", "T-MPC's corridor: people who come and go make way for the robot");
-  verb.option("--people", corridor->people, "How many, separated by commas (4,8,12)").separated_by_commas();
-  verb.option("--drives", corridor->drives, "Of each number of people (200)").within(1, 100000);
-  verb.option("--first", corridor->first, "Seed of the first (1)");
-  add_scene_options(verb, corridor);
-  verb.run([corridor] {
-    std::vector<SceneSet> sets;
-    for (const double people : corridor->people) {
-      sets.push_back({fmt::format("corridor, {:.0f} people", people), {}});
-      for (int i = 0; i < corridor->drives; ++i)
-        sets.back().scenes.push_back(
-            corridor_scene(static_cast<int>(people), corridor->first + static_cast<std::uint64_t>(i)));
-    }
-    return bench_scenes(sets, corridor_scene(0, 1), corridor->arguments);
-  });
-}
-
-void add_dynabarn(cli::Verb bench) {
-  struct DynaBarn : ScenesVerb {
-    std::string worlds;
-    int phases = 10;
-    std::uint64_t first = 1;
-  };
-  auto dynabarn = std::make_shared<DynaBarn>();
-  cli::Verb verb = bench.verb("dynabarn", "DynaBARN's worlds: 20 m among cylinders that move");
-  verb.option("--worlds", dynabarn->worlds, "Folder with world_N.csv").required().existing_folder();
-  verb.option("--phases", dynabarn->phases,
-              "Drives in each world, each begun at other times of the cylinders (10)")
-      .within(1, 10000);
-  verb.option("--first", dynabarn->first, "Seed of the first (1)");
-  add_scene_options(verb, dynabarn);
-  verb.run([dynabarn] {
-    std::vector<SceneSet> sets;
-    for (const DynaBarnWorld& world : read_dynabarn(dynabarn->worlds)) {
-      const std::string difficulty = "DynaBARN, " + difficulty_of(world);
-      if (sets.empty() || sets.back().name != difficulty) sets.push_back({difficulty, {}});
-      for (int i = 0; i < dynabarn->phases; ++i)
-        sets.back().scenes.push_back(dynabarn_scene(world, dynabarn->first + static_cast<std::uint64_t>(i)));
-    }
-    return bench_scenes(sets, dynabarn_scene({"world_0", {}}, 1), dynabarn->arguments);
   });
 }
 

@@ -9,13 +9,13 @@
 #include <fmt/format.h>
 
 #include "components/lab/evaluate/jobs.hpp"
+#include "components/lab/evaluate/merge.hpp"
 #include "components/lab/evaluate/parallel.hpp"
 #include "components/lab/evaluate/suite_report.hpp"
 #include "components/lab/failures/failure_album.hpp"
 #include "components/lab/report/report_page.hpp"
 #include "components/lab/shards/domain_lease.hpp"
 #include "components/lab/shards/graph_text.hpp"
-#include "components/lab/evaluate/merge.hpp"
 #include "components/program/drive.hpp"
 #include "components/program/drive_page/drive_page.hpp"
 #include "runtime/atomic_file.hpp"

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "components/lab/bench/ordered_run.hpp"
+#include "components/lab/bench/planner_overrides.hpp"
 #include "components/lab/comparison/paired.hpp"
 #include "components/lab/tune/successive_halving.hpp"
 #include "components/lab/tune/tune_log.hpp"
@@ -84,7 +85,7 @@ class Tuning {
   std::vector<TuneDrive> drive(TuneSuite suite, std::size_t candidate, std::uint64_t first,
                                std::size_t count) {
     PlannerOptions options;
-    set_parameters(settings(candidate), options);
+    apply_overrides(options, settings(candidate));
     const auto one = [&](std::size_t i, const CpuClock&) {
       const std::uint64_t episode = first + i;
       // Those of the other suite are logged beside: their numbers are others.

@@ -9,8 +9,6 @@
 
 #include "components/model/random.hpp"
 #include "runtime/parameters/list_parameters.hpp"
-#include "runtime/parameters/overrides.hpp"
-#include "runtime/parameters/parameters.hpp"
 
 namespace bw::tune {
 namespace {
@@ -66,12 +64,6 @@ std::vector<std::string> settings_of(const std::vector<TunedParameter>& paramete
                                          : fmt::format("{}={:.6g}", parameter.name, value));
   }
   return settings;
-}
-
-void set_parameters(const std::vector<std::string>& settings, PlannerOptions& options) {
-  ConfigNode root;
-  for (const std::string& text : settings) apply_override(root, parse_override(text));
-  read_into(options, root, "");
 }
 
 }  // namespace bw::tune

@@ -26,7 +26,4 @@ std::vector<TunedParameter> parameters_of(const std::string& planner, const std:
 std::vector<std::string> settings_of(const std::vector<TunedParameter>& parameters, std::size_t number,
                                      std::uint64_t seed, double widest = 3.0);
 
-/// Sets them. Throws what reading parameters throws.
-void set_parameters(const std::vector<std::string>& settings, PlannerOptions& options);
-
 }  // namespace bw::tune

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "components/lab/bench/planner_overrides.hpp"
 #include "components/lab/tune/successive_halving.hpp"
 #include "components/lab/tune/tune_log.hpp"
 #include "components/lab/tune/tuned_parameters.hpp"
@@ -59,7 +60,7 @@ TEST(TunedParameters, CandidatesKeepToWhatIsAllowed) {
   EXPECT_NE(settings_of(parameters, 5, 1), settings_of(parameters, 6, 1));
   for (std::size_t k = 0; k < 200; ++k) {
     PlannerOptions options;
-    ASSERT_NO_THROW(set_parameters(settings_of(parameters, k, 1), options)) << k;
+    ASSERT_NO_THROW(apply_overrides(options, settings_of(parameters, k, 1))) << k;
     EXPECT_NE(make_planner("eteb", options), nullptr);
   }
 }

@@ -1,0 +1,11 @@
+// `bandwagon bench corridor` and `bandwagon bench dynabarn`: their options.
+#pragma once
+
+#include "runtime/cli/verb.hpp"
+
+namespace bw {
+
+void add_corridor(cli::Verb bench);
+void add_dynabarn(cli::Verb bench);
+
+}  // namespace bw
