@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <numeric>
 
 #include "components/model/random.hpp"
@@ -62,7 +63,7 @@ BoardFigures figures_of(const BoardRow& row) {
   f.starts = static_cast<int>(starts_of(row.drives).size());
   for (const BoardDrive& drive : row.drives) {
     f.successes += drive.success ? 1 : 0;
-    for (const auto& [who, count] : drive.contacts) f.contacts[who] += count;
+    f.contacts.add(drive.contacts);
   }
   f.success = success_over_starts(row.drives);
   f.time = mean_of(row.drives, true, [](const BoardDrive& d) { return d.time; });

@@ -2,13 +2,13 @@
 // not independent, pairs on the same episodes, and who wins where.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "components/lab/comparison/paired.hpp"
 #include "components/lab/comparison/rate_interval.hpp"
+#include "components/program/contacts/contact_report.hpp"
 
 namespace bw {
 
@@ -21,7 +21,7 @@ struct BoardDrive {
   std::optional<double> jerk;             ///< [m/s^3]
   std::optional<double> collision_index;  ///< the largest
   std::optional<double> cycle;            ///< CPU of one, mean [ms]
-  std::map<std::string, int> contacts;    ///< by who moved into whom
+  HitCounts contacts;                     ///< by who moved into whom
   std::string page;                       ///< that plays the drive; empty: none
 };
 
@@ -47,7 +47,7 @@ struct BoardFigures {
   Interval success;
   std::optional<double> time, path;  ///< of the drives that succeeded, mean
   std::optional<double> jerk, collision_index, cycle;
-  std::map<std::string, int> contacts;
+  HitCounts contacts;
   Comparison against_best;  ///< this one less the best of the suite, on the episodes that both drove
   bool wins = false;        ///< the best, or not shown to be worse: McNemar's p at least 0.05
 

@@ -15,13 +15,6 @@ std::string success_of(const BoardFigures& f) {
                      100.0 * f.success.high);
 }
 
-std::string in_words(const std::map<std::string, int>& contacts) {
-  std::string text;
-  for (const auto& [who, count] : contacts)
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, who);
-  return text.empty() ? "none" : text;
-}
-
 report::Table who_wins(const std::vector<BoardSuite>& suites,
                        const std::vector<std::vector<BoardFigures>>& figures) {
   std::vector<report::Head> heads{"planner"};
@@ -56,7 +49,7 @@ report::Table rows_of(const std::vector<BoardFigures>& figures) {
     table.row({f.planner, f.drives, f.starts, success_of(f),
                fmt::format("{:+.1f} ({:+.1f} to {:+.1f}) points of {} pairs", 100.0 * less.mean,
                            100.0 * less.low, 100.0 * less.high, f.against_best.pairs),
-               f.against_best.p, f.time, f.path, f.jerk, f.collision_index, f.cycle, in_words(f.contacts)});
+               f.against_best.p, f.time, f.path, f.jerk, f.collision_index, f.cycle, f.contacts.in_words()});
   }
   return table;
 }
@@ -73,7 +66,7 @@ std::vector<std::string> failures_of(const BoardSuite& suite) {
       }
       std::string name = report::plain(fmt::format("{}, {}", row.planner, drive.key));
       if (!drive.page.empty()) name = fmt::format("[{}]({})", name, drive.page);
-      failures.push_back(fmt::format("{}: contacts {}", name, in_words(drive.contacts)));
+      failures.push_back(fmt::format("{}: contacts {}", name, drive.contacts.in_words()));
     }
   }
   if (more > 0) failures.push_back(fmt::format("and {} more", more));
@@ -123,7 +116,7 @@ nlohmann::ordered_json to_json(const std::vector<BoardSuite>& suites) {
                       {"rms_jerk_mps3", value(f.jerk)},
                       {"max_collision_index", value(f.collision_index)},
                       {"cycle_ms", value(f.cycle)},
-                      {"contacts", f.contacts}});
+                      {"contacts", f.contacts.to_json()}});
     all.push_back({{"name", suite.name},
                    {"whole_graph", suite.whole_graph},
                    {"made", suite.made},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -40,7 +41,7 @@ BoardDrive drive_of(const Json& json) {
                     ? figure(json.at("planner_ms"), {"mean_ms"})
                     : figure(json, {"mean_ms"});
   if (json.contains("contacts") && json.at("contacts").is_array())
-    for (const Json& contact : json.at("contacts")) ++drive.contacts[contact.value("who", "unknown")];
+    for (const Json& contact : json.at("contacts")) drive.contacts.add(nlohmann::ordered_json(contact));
   drive.page = json.value("page", "");
   return drive;
 }

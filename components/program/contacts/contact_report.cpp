@@ -101,6 +101,10 @@ void HitCounts::add(const Json& contact) {
   ++counts_[is_apart ? kMidFloorName : contact.value("who", "")];
 }
 
+void HitCounts::add(const HitCounts& others) {
+  for (const auto& [name, count] : others.counts_) counts_[name] += count;
+}
+
 Json HitCounts::to_json() const {
   Json json = Json::object();
   for (const std::string& name : names()) {

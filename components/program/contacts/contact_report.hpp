@@ -42,6 +42,7 @@ class HitCounts {
  public:
   void add(const ContactRecord& contact);
   void add(const nlohmann::ordered_json& contact);
+  void add(const HitCounts& others);
   /// {robot_closing, person_ahead, person_side, person_behind, robot_standing, mid_floor}.
   nlohmann::ordered_json to_json() const;
   /// The same in words, without those that never were; "none".

@@ -49,7 +49,7 @@ TEST_F(BoardFiles, OfScenesHaveWorldsAsStarts) {
   EXPECT_EQ(figures[0].starts, 1);
   EXPECT_EQ(figures[0].successes, 1);
   EXPECT_DOUBLE_EQ(*figures[0].cycle, 0.6);
-  EXPECT_EQ(figures[0].contacts.at("person_side"), 1);
+  EXPECT_EQ(figures[0].contacts.to_json()["person_side"], 1);
 }
 
 TEST_F(BoardFiles, OfEvaluationsHaveARowForEachPlanner) {
