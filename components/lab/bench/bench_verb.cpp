@@ -310,7 +310,10 @@ void add_explore(cli::Verb bench) {
 }
 
 void add_bench(cli::Verb bench) {
-  tell_provenance(citation);
+  tell_provenance([] {
+    static const nlohmann::ordered_json kCitation = citation();
+    return kCitation;
+  });
   add_teb(bench);
   add_crowd(bench);
   add_crowdnav(bench);

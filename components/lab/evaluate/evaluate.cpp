@@ -178,8 +178,9 @@ void write_json(const std::string& file, const std::vector<SuiteResult>& results
   all["planned"] = planned;
   all["driven"] = driven;
   all["complete"] = driven == planned;
+  static const nlohmann::json kCitation = citation();  // of this process: it is written after every drive
   all["made"] = to_json(made);
-  for (const char* key : {"date", "command"}) all["made"][key] = citation()[key];
+  for (const char* key : {"date", "command"}) all["made"][key] = kCitation[key];
   write_file_atomically(file, all.dump(2) + "\n");
 }
 
@@ -229,13 +230,16 @@ std::vector<Labelled> labelled(const std::vector<std::string>& from) {
   return all;
 }
 
-/// Shards are one evaluation, whatever else there is stands beside it.
-std::vector<SuiteResult> joined(const Labelled& one) {
-  if (std::ranges::any_of(one.files, [](const ResultsFile& file) { return file.made.of > 1; }))
-    return merge(one.files);
-  std::vector<SuiteResult> results;
-  for (const ResultsFile& file : one.files) read_results(file.file, "", results);
-  return results;
+/// Suites with `more` of their drives, whose planners are called after the label.
+void append(std::vector<SuiteResult>& results, std::vector<SuiteResult> more, const std::string& label) {
+  for (SuiteResult& part : more) {
+    auto result = std::ranges::find(results, part.suite, &SuiteResult::suite);
+    if (result == results.end()) result = results.insert(result, {part.suite, {}});
+    for (EpisodeResult& episode : part.episodes) {
+      if (!label.empty()) episode.planner += " " + label;
+      result->episodes.push_back(std::move(episode));
+    }
+  }
 }
 
 /// Drives of earlier evaluations, summed up again.
@@ -243,13 +247,11 @@ int sum_up(const EvaluateOptions& options) {
   std::vector<SuiteResult> results;
   const std::vector<Labelled> all = labelled(options.from);
   for (const Labelled& one : all) {
-    for (SuiteResult& part : joined(one)) {
-      for (EpisodeResult& episode : part.episodes)
-        if (!one.label.empty()) episode.planner += " " + one.label;
-      auto result = std::ranges::find(results, part.suite, &SuiteResult::suite);
-      if (result == results.end()) result = results.insert(result, {part.suite, {}});
-      result->episodes.insert(result->episodes.end(), part.episodes.begin(), part.episodes.end());
-    }
+    // Shards are one evaluation, whatever else there is stands beside it.
+    if (std::ranges::any_of(one.files, [](const ResultsFile& file) { return file.made.of > 1; }))
+      append(results, merge(one.files), one.label);
+    else
+      for (const ResultsFile& file : one.files) append(results, file.results, one.label);
   }
   std::size_t driven = 0;
   for (const SuiteResult& result : results) driven += result.episodes.size();

@@ -1,7 +1,6 @@
 #include "components/lab/evaluate/merge.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -16,9 +15,7 @@ std::size_t ResultsFile::driven() const {
 
 ResultsFile read_results_file(const std::filesystem::path& file) {
   ResultsFile read{.file = file, .made = {}, .planned = 0, .results = {}};
-  read_results(file, "", read.results);
-  std::ifstream in(file);
-  const nlohmann::json root = nlohmann::json::parse(in);
+  const nlohmann::json root = read_results(file, "", read.results);
   read.planned = root.value("planned", read.driven());
   if (root.contains("made")) read.made = provenance_from(root.at("made"));
   return read;

@@ -246,8 +246,8 @@ std::vector<ComparedRow> compared(const std::vector<SuiteResult>& results) {
   return rows;
 }
 
-void read_results(const std::filesystem::path& file, const std::string& label,
-                  std::vector<SuiteResult>& results) {
+nlohmann::json read_results(const std::filesystem::path& file, const std::string& label,
+                            std::vector<SuiteResult>& results) {
   try {
     std::ifstream in(file);
     if (!in) throw std::runtime_error("cannot be read");
@@ -266,6 +266,7 @@ void read_results(const std::filesystem::path& file, const std::string& label,
         result->episodes.push_back(std::move(drive));
       }
     }
+    return root;
   } catch (const std::exception& error) {
     throw std::runtime_error(file.string() + ": holds no drives of `evaluate --json`: " + error.what());
   }

@@ -81,9 +81,9 @@ std::vector<ComparedRow> compared(const std::vector<SuiteResult>& results);
 
 /// The drives of a file that to_json() wrote, of one suite or several; `label`, where there is one, is put
 /// behind each planner's name.
-/// Throws std::runtime_error naming the file when it holds none.
-void read_results(const std::filesystem::path& file, const std::string& label,
-                  std::vector<SuiteResult>& results);
+/// Returns all that the file holds. Throws std::runtime_error naming the file when it holds none.
+nlohmann::json read_results(const std::filesystem::path& file, const std::string& label,
+                            std::vector<SuiteResult>& results);
 
 /// One drive on one line.
 std::string in_a_line(const EpisodeResult& result);
