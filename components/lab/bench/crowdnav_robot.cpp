@@ -7,7 +7,6 @@
 
 #include "components/lab/bench/crowd_generator.hpp"
 #include "components/lab/bench/unicycle.hpp"
-#include "components/model/nearest_point.hpp"
 
 namespace bw {
 namespace {
@@ -172,10 +171,6 @@ class PlannerRobot final : public CrowdNavRobot {
 };
 
 }  // namespace
-
-double closest_approach(const Vector2& offset, const Vector2& velocity, double duration) {
-  return nearest_point(Segment{offset, offset + duration * velocity}, Vector2(0.0, 0.0)).norm();
-}
 
 std::unique_ptr<CrowdNavRobot> holonomic_robot(const CrowdNavScene& scene, CrowdNavPolicy policy,
                                                const CpuClock& clock) {

@@ -60,8 +60,4 @@ std::unique_ptr<CrowdNavRobot> published_orca_robot(const CrowdNavScene& scene, 
 std::unique_ptr<CrowdNavRobot> planner_robot(const CrowdNavScene& scene, LocalPlanner& planner,
                                              const CpuClock& clock);
 
-/// The least distance [m] between two points within `duration` [s], one seen from the other at `offset`,
-/// moving at `velocity`.
-double closest_approach(const Vector2& offset, const Vector2& velocity, double duration);
-
 }  // namespace bw

@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "components/lab/bench/bench_common.hpp"
-#include "components/lab/bench/crowdnav_robot.hpp"
 #include "components/lab/bench/unicycle.hpp"
 #include "components/model/nearest_point.hpp"
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "components/model/nearest_point.hpp"
+
 namespace bw {
 
 Twist2 applied_twist(const Twist2& command, const Twist2& last, const Limits& limits, double period) {
@@ -17,6 +19,10 @@ Pose2 unicycle_step(const Pose2& pose, const Twist2& twist, double h) {
   const double heading = pose.theta + twist.omega * h / 2.0;
   return {pose.x + twist.v * h * std::cos(heading), pose.y + twist.v * h * std::sin(heading),
           wrap_angle(pose.theta + twist.omega * h)};
+}
+
+double closest_approach(const Vector2& offset, const Vector2& velocity, double duration) {
+  return nearest_point(Segment{offset, offset + duration * velocity}, Vector2(0.0, 0.0)).norm();
 }
 
 double rms_jerk(const std::vector<double>& accelerations, double period) {

@@ -15,6 +15,10 @@ Twist2 applied_twist(const Twist2& command, const Twist2& last, const Limits& li
 /// After `h` [s] of `twist`, by (1.1).
 Pose2 unicycle_step(const Pose2& pose, const Twist2& twist, double h);
 
+/// The least distance [m] between two points within `duration` [s], one seen from the other at `offset`,
+/// moving at `velocity`.
+double closest_approach(const Vector2& offset, const Vector2& velocity, double duration);
+
 /// Root mean square of the differences of accelerations [m/s^2], `period` [s] apart; 0 when there are not
 /// two.
 double rms_jerk(const std::vector<double>& accelerations, double period);

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "components/lab/bench/crowdnav_report.hpp"
+#include "components/lab/bench/unicycle.hpp"
 #include "components/local_planner/planner_registry.hpp"
+#include "tests/components/lab/bench/constant_planner.hpp"
 
 namespace bw {
 namespace {
@@ -14,7 +16,14 @@ namespace {
 constexpr CrowdNavCrossing kCircle = CrowdNavCrossing::circle;
 constexpr CrowdNavCrossing kSquare = CrowdNavCrossing::square;
 
+using test::ConstantPlanner;
+
 double no_time() { return 0.0; }
+
+// Since the drive began, of the k-th question.
+double asked_at(const ConstantPlanner& planner, std::size_t k) {
+  return (planner.problems[k].now - Time::seconds(1.0)).to_seconds();
+}
 
 // The first draw of NumPy's legacy generator from seed 0.
 TEST(CrowdNavScene, DrawsAsNumPyDoes) { EXPECT_DOUBLE_EQ(CrowdNavRandom(0).uniform(), 0.5488135039273248); }
@@ -167,26 +176,6 @@ TEST(CrowdNavPeople, OthersComeForThoseWhoArrived) {
   EXPECT_GE((people.agents()[3].position - scene.start.position()).norm(), 0.85);
 }
 
-class ConstantPlanner final : public LocalPlanner {
- public:
-  explicit ConstantPlanner(const Twist2& command) : command_(command) {}
-  PlanningResult plan(const PlanningProblem& problem) override {
-    times.push_back((problem.now - Time::seconds(1.0)).to_seconds());
-    movers = problem.movers;
-    PlanningResult result;
-    result.status = PlanningStatus::ok;
-    result.command = command_;
-    return result;
-  }
-  void reset() override {}
-
-  std::vector<double> times;
-  std::vector<Mover> movers;
-
- private:
-  Twist2 command_;
-};
-
 CrowdNavScene empty_floor() {
   CrowdNavScene scene;
   scene.people.resize(5);
@@ -207,9 +196,9 @@ TEST(CrowdNavEpisode, OfAPlannerEndsWithTheStepThatReachesTheGoal) {
   EXPECT_EQ(e.outcome, CrowdNavOutcome::reached);
   EXPECT_DOUBLE_EQ(e.time, 8.0);
   EXPECT_EQ(e.discomfort_steps, 0);
-  ASSERT_EQ(planner.times.size(), 80u) << "every 0.1 s, whatever the people's step";
-  EXPECT_NEAR(planner.times[1], 0.1, 1e-9);
-  EXPECT_NEAR(planner.times[79], 7.9, 1e-9);
+  ASSERT_EQ(planner.problems.size(), 80u) << "every 0.1 s, whatever the people's step";
+  EXPECT_NEAR(asked_at(planner, 1), 0.1, 1e-9);
+  EXPECT_NEAR(asked_at(planner, 79), 7.9, 1e-9);
 }
 
 TEST(CrowdNavEpisode, EndsAfterTheStepThatBeginsASecondBeforeTheLimit) {
@@ -218,7 +207,7 @@ TEST(CrowdNavEpisode, EndsAfterTheStepThatBeginsASecondBeforeTheLimit) {
   const CrowdNavEpisode e = run_crowdnav(scene, *planner_robot(scene, planner, no_time), {});
   EXPECT_EQ(e.outcome, CrowdNavOutcome::timeout);
   EXPECT_DOUBLE_EQ(e.time, 25.0) << "counted as the whole limit";
-  EXPECT_EQ(planner.times.size(), 243u) << "97 steps: 24.25 s";
+  EXPECT_EQ(planner.problems.size(), 243u) << "97 steps: 24.25 s";
 }
 
 // Somebody walks at 1 m/s from 3 m ahead through the robot, which stands: their discs touch after 2.4 s, in
@@ -231,8 +220,8 @@ TEST(CrowdNavEpisode, SeesAContactWithinAStep) {
   EXPECT_EQ(e.outcome, CrowdNavOutcome::collision);
   EXPECT_DOUBLE_EQ(e.time, 2.5);
   EXPECT_NEAR(e.min_gap, -0.1, 1e-6);
-  EXPECT_EQ(planner.movers.size(), 5u);
-  EXPECT_NEAR(planner.movers[0].velocity.y(), -1.0, 1e-9);
+  EXPECT_EQ(planner.problems.back().movers.size(), 5u);
+  EXPECT_NEAR(planner.problems.back().movers[0].velocity.y(), -1.0, 1e-9);
   // The robot had 2.4 s to get out of the way of somebody who comes at 1 m/s.
   ASSERT_EQ(e.judged.size(), 1u);
   EXPECT_EQ(e.judged[0].record.person, 1u);

@@ -11,29 +11,14 @@
 #include "components/lab/bench/corridor/corridor_scene.hpp"
 #include "components/lab/bench/dynabarn_world.hpp"
 #include "components/local_planner/planner_registry.hpp"
+#include "tests/components/lab/bench/constant_planner.hpp"
 
 namespace bw {
 namespace {
 
+using test::ConstantPlanner;
+
 double no_time() { return 0.0; }
-
-class ConstantPlanner final : public LocalPlanner {
- public:
-  explicit ConstantPlanner(const Twist2& command) : command_(command) {}
-  PlanningResult plan(const PlanningProblem& problem) override {
-    problems.push_back(problem);
-    PlanningResult result;
-    result.status = PlanningStatus::ok;
-    result.command = command_;
-    return result;
-  }
-  void reset() override {}
-
-  std::vector<PlanningProblem> problems;
-
- private:
-  Twist2 command_;
-};
 
 const SceneRobot kFarRobot{{-100.0, 0.0}, {0.0, 0.0}};
 
