@@ -6,6 +6,7 @@
 
 #include "components/evaluation/success.hpp"
 #include "components/lab/bench/crowd_people.hpp"
+#include "components/lab/bench/planner_alone.hpp"
 #include "components/lab/bench/unicycle.hpp"
 
 namespace bw {
@@ -17,26 +18,15 @@ constexpr double kCollisionIndexSigma = 0.6;  // [m] evaluation/theory.md 7.7
 PlanningProblem problem_at(const Scene& scene, const SceneFile& file, const CrowdPeople& people, double time,
                            const Pose2& pose, const Twist2& twist) {
   const ClosedLoop& rule = *file.closed_loop;
-  PlanningProblem problem;
-  problem.now = Time::seconds(1.0 + time);
-  problem.pose = pose;
-  problem.twist = twist;
-  problem.plan = {scene.start, scene.goal};
-  problem.footprint.radius = rule.robot_radius;
-  problem.limits = file.limits;
-  problem.control_period = rule.control_period;
+  PlanningProblem problem = problem_alone(time, pose, twist, {scene.start, scene.goal}, rule.robot_radius,
+                                          file.limits, rule.control_period);
   for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
     const SceneObstacle& o = scene.obstacles[i];
     if (!people.walks(i)) {
       problem.obstacles.discs.push_back({o.position, o.radius});
       continue;
     }
-    Mover mover;
-    mover.id = static_cast<std::uint32_t>(i) + 1;
-    mover.position = people.position(i);
-    mover.velocity = people.velocity(i);
-    mover.radius = o.radius;
-    problem.movers.push_back(mover);
+    add_mover(problem, static_cast<std::uint32_t>(i) + 1, people.position(i), people.velocity(i), o.radius);
   }
   return problem;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "components/lab/bench/crowd_generator.hpp"
+#include "components/lab/bench/planner_alone.hpp"
 #include "components/lab/bench/unicycle.hpp"
 
 namespace bw {
@@ -117,22 +118,11 @@ class PlannerRobot final : public CrowdNavRobot {
 
  private:
   void replan(const std::vector<CrowdNavAgent>& people) {
-    PlanningProblem problem;
-    problem.now = Time::seconds(1.0 + (ticks_ - 1) * kTick);
-    problem.pose = pose_;
-    problem.twist = twist_;
-    problem.plan = plan_;
-    problem.footprint.radius = kCrowdNavRadius;
-    problem.limits = limits_;
-    problem.control_period = kPeriod;
+    PlanningProblem problem =
+        problem_alone((ticks_ - 1) * kTick, pose_, twist_, plan_, kCrowdNavRadius, limits_, kPeriod);
     for (const CrowdNavAgent& person : people) {
       if (!is_within(range_, pose_.position(), person)) continue;
-      Mover mover;
-      mover.id = person.id + 1;
-      mover.position = person.position;
-      mover.velocity = person.velocity;
-      mover.radius = person.radius;
-      problem.movers.push_back(mover);
+      add_mover(problem, person.id + 1, person.position, person.velocity, person.radius);
     }
     const double before = clock_();
     const Twist2 command = planner_.plan(problem).command;

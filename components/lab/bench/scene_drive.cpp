@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "components/lab/bench/bench_common.hpp"
+#include "components/lab/bench/planner_alone.hpp"
 #include "components/lab/bench/unicycle.hpp"
 #include "components/model/nearest_point.hpp"
 
@@ -67,25 +68,13 @@ class Drive {
   SceneRobot robot() const { return {pose_.position(), twist_.v * direction(pose_.theta)}; }
 
   PlanningProblem problem_now() const {
-    PlanningProblem problem;
-    problem.now = Time::seconds(1.0 + time());
-    problem.pose = pose_;
-    problem.twist = twist_;
-    problem.plan = scene_.path(pose_);
+    PlanningProblem problem = problem_alone(time(), pose_, twist_, scene_.path(pose_), scene_.robot_radius,
+                                            scene_.limits, kSceneStep);
     problem.goal_is_final = scene_.goal_is_final;
-    problem.footprint.radius = scene_.robot_radius;
-    problem.limits = scene_.limits;
-    problem.control_period = kSceneStep;
     problem.command_lead = kSceneStep;
     problem.obstacles = scene_.walls;
-    for (const SceneDisc& disc : movers_->discs()) {
-      Mover mover;
-      mover.id = disc.id + 1;
-      mover.position = disc.position;
-      mover.velocity = disc.velocity;
-      mover.radius = disc.radius;
-      problem.movers.push_back(mover);
-    }
+    for (const SceneDisc& disc : movers_->discs())
+      add_mover(problem, disc.id + 1, disc.position, disc.velocity, disc.radius);
     if (prediction_ == ScenePrediction::roll_out) roll_out(problem);
     return problem;
   }
