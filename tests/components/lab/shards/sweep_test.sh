@@ -24,6 +24,7 @@ shift
   touch "$(dirname "$0")/broken1"
   timeout --signal=KILL 0.5 bash -c "$*" || exit 255
 }
+export SHELL=/bin/bash # as sshd does; where the tests run it may not be set, and without it parallel's worker runs nothing
 exec bash -c "$*"
 S
 chmod +x "$work/ssh"
@@ -34,7 +35,7 @@ hashes() { grep -o '"samples_sha256": "[0-9a-f]*"' "$1"; }
 
 cd "$work"
 "$BANDWAGON" evaluate "$root/config/suites/hallway.yaml" "${suite[@]:1}" --json one.json >/dev/null 2>&1
-"$root/launch_scripts/sweep.sh" 1/lost,1/other out.json 4 "$root/config/suites/hallway.yaml" "${suite[@]:1}" >sweep.log 2>&1 || { cat sweep.log && fail "it failed"; }
+"$root/launch_scripts/sweep.sh" 1/lost,1/other out.json 4 "$root/config/suites/hallway.yaml" "${suite[@]:1}" >sweep.log 2>&1 || { cat sweep.log out.json.shards/*.log && fail "it failed"; }
 [[ -f broken1 ]] || fail "no command went to the host that is lost"
 [[ $(hashes one.json | wc -l) == 4 ]] || fail "one run has not four drives"
 [[ $(hashes one.json) == $(hashes out.json) ]] || fail "merged it is another evaluation"
