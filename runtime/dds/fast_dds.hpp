@@ -61,7 +61,6 @@ namespace transport = eprosima::fastdds::rtps;
 namespace rtps = eprosima::fastdds::rtps;
 using Duration = dds::Duration_t;
 using ReturnCode = dds::ReturnCode_t;
-using FilteringFlags = rtps::ParticipantFilteringFlags;
 /// What a chained transport is given to send.
 using SendBuffer = const std::vector<rtps::NetworkBuffer>&;
 inline const Duration kInfinite = dds::c_TimeInfinite;
@@ -70,7 +69,6 @@ inline constexpr int kVersion[] = {FASTDDS_VERSION_MAJOR, FASTDDS_VERSION_MINOR,
 namespace rtps = eprosima::fastrtps::rtps;
 using Duration = eprosima::fastrtps::Duration_t;
 using ReturnCode = ReturnCode_t;
-using FilteringFlags = rtps::ParticipantFilteringFlags_t;
 using SendBuffer = const rtps::octet*;
 inline const Duration kInfinite = eprosima::fastrtps::c_TimeInfinite;
 inline constexpr int kVersion[] = {FASTRTPS_VERSION_MAJOR, FASTRTPS_VERSION_MINOR, FASTRTPS_VERSION_MICRO};

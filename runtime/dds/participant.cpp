@@ -2,10 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <cstring>
 #include <map>
 #include <mutex>
 #include <stdexcept>
 
+#include <unistd.h>
+
+#include "runtime/dds/bus.hpp"
 #include "runtime/dds/fast_reader.hpp"
 #include "runtime/dds/fast_writer.hpp"
 #include "runtime/dds/loopback_sockets.hpp"
@@ -52,8 +57,6 @@ efd::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   auto udp = std::make_shared<fast_dds::transport::UDPv4TransportDescriptor>();
   udp->maxInitialPeersRange = kPeerPorts;
   udp->receiveBufferSize = options.receive_buffer;
-  // Else Fast DDS opens a socket to send by for each of the machine's addresses.
-  if (options.alone) udp->interfaceWhiteList.emplace_back("127.0.0.1");
   qos.transport().use_builtin_transports = false;
   qos.transport().user_transports.push_back(udp);
 
@@ -69,13 +72,7 @@ efd::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   loopback.kind = LOCATOR_KIND_UDPv4;
   loopback.port = 0;
   rtps::IPLocator::setIPv4(loopback, "127.0.0.1");
-  if (options.alone) {
-    // With both filters Fast DDS opens no unicast locator. One has to be named all the same: without any it
-    // takes the default multicast group, and announces there. Without a peer nothing is announced.
-    wire.builtin.discovery_config.ignoreParticipantFlags =
-        static_cast<fast_dds::FilteringFlags>(rtps::FILTER_DIFFERENT_HOST | rtps::FILTER_DIFFERENT_PROCESS);
-    wire.builtin.metatrafficUnicastLocatorList.push_back(loopback);
-  } else if (options.network.transport == Transport::localhost) {
+  if (options.network.transport == Transport::localhost) {
     wire.builtin.metatrafficUnicastLocatorList.push_back(loopback);
     wire.default_unicast_locator_list.push_back(loopback);
     add_peer(wire.builtin.initialPeersList, "127.0.0.1");
@@ -106,9 +103,9 @@ std::mutex& coming_and_going() {
 
 struct Participant::Impl {
   DiscoveryListener discovery;
-  efd::DomainParticipant* participant = nullptr;
+  efd::DomainParticipant* participant = nullptr;  ///< none: alone
+  std::shared_ptr<Bus> bus;                       ///< of what stays in the process, if anything
   std::string private_partition;
-  Partitions of_writers, of_readers;  ///< where an endpoint names none
   std::mutex mutex;
   std::map<Partitions, efd::Publisher*> publishers;
   std::map<Partitions, efd::Subscriber*> subscribers;
@@ -122,9 +119,38 @@ struct Participant::Impl {
     efd::DomainParticipantFactory::get_instance()->delete_participant(participant);
   }
 
-  efd::Publisher* publisher(const Partitions& asked) {
+  void open(const ParticipantOptions& options) {
+    efd::Log::SetVerbosity(efd::Log::Kind::Error);
+    const std::lock_guard alone(coming_and_going());
+    const std::set<int> before = open_datagram_sockets();
+    const auto domain = static_cast<efd::DomainId_t>(options.network.domain_id);
+    // Created with the listener, so that nothing discovered early is missed.
+    participant = efd::DomainParticipantFactory::get_instance()->create_participant(
+        domain, participant_qos(options), &discovery, efd::StatusMask::none());
+    if (participant == nullptr) {
+      throw std::runtime_error("DDS refuses a participant on domain " +
+                               std::to_string(options.network.domain_id));
+    }
+    if (options.network.transport != Transport::localhost) return;
+    std::set<int> opened = open_datagram_sockets();
+    std::erase_if(opened, [&](int descriptor) { return before.contains(descriptor); });
+    bind_to_loopback(opened);
+  }
+
+  bool goes_by_bus(const EndpointOptions& options) const {
+    return bus && (participant == nullptr || options.partitions.empty() ||
+                   std::ranges::find(options.partitions, private_partition) != options.partitions.end());
+  }
+  /// The end as DDS has it where it goes by the bus, too; nothing: it has none.
+  std::optional<EndpointOptions> outside(EndpointOptions options) const {
+    if (participant == nullptr) return std::nullopt;
+    if (options.partitions.empty()) return options;
+    std::erase(options.partitions, private_partition);
+    return options.partitions.empty() ? std::nullopt : std::optional(std::move(options));
+  }
+
+  efd::Publisher* publisher(const Partitions& partitions) {
     const std::lock_guard lock(mutex);
-    const Partitions& partitions = asked.empty() ? of_writers : asked;
     efd::Publisher*& publisher = publishers[partitions];
     if (publisher != nullptr) return publisher;
     efd::PublisherQos qos = efd::PUBLISHER_QOS_DEFAULT;
@@ -132,9 +158,8 @@ struct Participant::Impl {
     publisher = participant->create_publisher(qos);
     return publisher;
   }
-  efd::Subscriber* subscriber(const Partitions& asked) {
+  efd::Subscriber* subscriber(const Partitions& partitions) {
     const std::lock_guard lock(mutex);
-    const Partitions& partitions = asked.empty() ? of_readers : asked;
     efd::Subscriber*& subscriber = subscribers[partitions];
     if (subscriber != nullptr) return subscriber;
     efd::SubscriberQos qos = efd::SUBSCRIBER_QOS_DEFAULT;
@@ -158,79 +183,96 @@ struct Participant::Impl {
     }
     return topic;
   }
+
+  std::unique_ptr<Writer> open_writer(const EndpointOptions& options, std::function<void()> on_match) {
+    efd::DataWriterQos qos = efd::DATAWRITER_QOS_DEFAULT;
+    apply(options, qos);
+    qos.publish_mode().kind = efd::SYNCHRONOUS_PUBLISH_MODE;
+    if (options.heartbeat) fast_dds::set_heartbeat_period(qos, to_duration(*options.heartbeat));
+    set_user_data(qos.user_data(), options.user_data);
+    auto result = std::make_unique<FastWriter>(publisher(options.partitions), std::move(on_match), discovery);
+    result->open(topic(options), qos);
+    discovery.add_local({.guid = result->guid(),
+                         .is_writer = true,
+                         .topic = options.topic,
+                         .type = options.type,
+                         .qos = options.qos,
+                         .user_data = options.user_data,
+                         .partitions = options.partitions});
+    return result;
+  }
+
+  std::unique_ptr<Reader> open_reader(const EndpointOptions& options, std::function<void()> on_sample,
+                                      std::function<void()> on_match) {
+    efd::DataReaderQos qos = efd::DATAREADER_QOS_DEFAULT;
+    apply(options, qos);
+    // A writer that knew this reader before it was known itself has sent in vain: it is asked at once what it
+    // has, since `ros2 topic pub --once` leaves after 100 ms. By default the question waits for 70 ms and the
+    // answer's answer for 5.
+    const fast_dds::Duration at_once = to_duration(Duration::milliseconds(1));
+    fast_dds::set_answer_delays(qos, at_once, at_once);
+    set_user_data(qos.user_data(), options.user_data);
+    auto result = std::make_unique<FastReader>(subscriber(options.partitions), std::move(on_sample),
+                                               std::move(on_match), discovery);
+    result->open(topic(options), qos);
+    discovery.add_local({.guid = result->guid(),
+                         .is_writer = false,
+                         .topic = options.topic,
+                         .type = options.type,
+                         .qos = options.qos,
+                         .user_data = options.user_data,
+                         .partitions = options.partitions});
+    return result;
+  }
 };
 
+namespace {
+
+/// Of nobody on the wire.
+Guid guid_of_process() {
+  static std::atomic<std::uint32_t> count = 0;
+  const std::array<std::uint32_t, 2> parts = {static_cast<std::uint32_t>(getpid()), ++count};
+  Guid guid{};
+  std::memcpy(guid.data() + sizeof(std::uint32_t), parts.data(), sizeof(parts));
+  return guid;
+}
+
+}  // namespace
+
 Participant::Participant(const ParticipantOptions& options) : impl_(std::make_unique<Impl>()) {
-  efd::Log::SetVerbosity(efd::Log::Kind::Error);
-  const std::lock_guard alone(coming_and_going());
-  const std::set<int> before = open_datagram_sockets();
-  const auto domain = static_cast<efd::DomainId_t>(options.network.domain_id);
-  // Created with the listener, so that nothing discovered early is missed.
-  impl_->participant = efd::DomainParticipantFactory::get_instance()->create_participant(
-      domain, participant_qos(options), &impl_->discovery, efd::StatusMask::none());
-  if (impl_->participant == nullptr) {
-    throw std::runtime_error("DDS refuses a participant on domain " +
-                             std::to_string(options.network.domain_id));
-  }
-  if (options.alone || options.network.transport == Transport::localhost) {
-    std::set<int> opened = open_datagram_sockets();
-    std::erase_if(opened, [&](int descriptor) { return before.contains(descriptor); });
-    bind_to_loopback(opened);
-  }
   impl_->private_partition = options.private_partition;
-  if (!options.private_partition.empty()) {
-    impl_->of_writers = {"", options.private_partition};  // "" is the partition of every ordinary reader
-    impl_->of_readers = {options.private_partition};
-  }
+  if (!options.alone) impl_->open(options);
+  if (options.alone || !options.private_partition.empty())
+    impl_->bus = std::make_shared<Bus>(options.alone ? guid_of_process() : guid());
 }
 
 Participant::~Participant() = default;
 
 std::unique_ptr<Writer> Participant::create_writer(const EndpointOptions& options,
                                                    std::function<void()> on_match) {
-  efd::DataWriterQos qos = efd::DATAWRITER_QOS_DEFAULT;
-  apply(options, qos);
-  qos.publish_mode().kind = efd::SYNCHRONOUS_PUBLISH_MODE;
-  if (options.heartbeat) fast_dds::set_heartbeat_period(qos, to_duration(*options.heartbeat));
-  set_user_data(qos.user_data(), options.user_data);
-  auto result = std::make_unique<FastWriter>(impl_->publisher(options.partitions), std::move(on_match),
-                                             impl_->discovery);
-  result->open(impl_->topic(options), qos);
-  impl_->discovery.add_local({.guid = result->guid(),
-                              .is_writer = true,
-                              .topic = options.topic,
-                              .type = options.type,
-                              .qos = options.qos,
-                              .user_data = options.user_data,
-                              .partitions = options.partitions});
-  return result;
+  if (!impl_->goes_by_bus(options)) return impl_->open_writer(options, std::move(on_match));
+  std::unique_ptr<Writer> outside;
+  if (const auto shown = impl_->outside(options)) outside = impl_->open_writer(*shown, on_match);
+  return impl_->bus->create_writer(options, std::move(on_match), std::move(outside));
 }
 
 std::unique_ptr<Reader> Participant::create_reader(const EndpointOptions& options,
                                                    std::function<void()> on_sample,
                                                    std::function<void()> on_match) {
-  efd::DataReaderQos qos = efd::DATAREADER_QOS_DEFAULT;
-  apply(options, qos);
-  // A writer that knew this reader before it was known itself has sent in vain: it is asked at once what it
-  // has, since `ros2 topic pub --once` leaves after 100 ms. By default the question waits for 70 ms and the
-  // answer's answer for 5.
-  const fast_dds::Duration at_once = to_duration(Duration::milliseconds(1));
-  fast_dds::set_answer_delays(qos, at_once, at_once);
-  set_user_data(qos.user_data(), options.user_data);
-  auto result = std::make_unique<FastReader>(impl_->subscriber(options.partitions), std::move(on_sample),
-                                             std::move(on_match), impl_->discovery);
-  result->open(impl_->topic(options), qos);
-  impl_->discovery.add_local({.guid = result->guid(),
-                              .is_writer = false,
-                              .topic = options.topic,
-                              .type = options.type,
-                              .qos = options.qos,
-                              .user_data = options.user_data,
-                              .partitions = options.partitions});
-  return result;
+  if (!impl_->goes_by_bus(options))
+    return impl_->open_reader(options, std::move(on_sample), std::move(on_match));
+  std::unique_ptr<Reader> outside;
+  if (auto shown = impl_->outside(options)) {
+    // That one is there to be seen: no writer of DDS is in the private partition.
+    if (shown->partitions.empty()) shown->partitions = {impl_->private_partition};
+    outside = impl_->open_reader(*shown, on_sample, on_match);
+  }
+  return impl_->bus->create_reader(options, std::move(on_sample), std::move(on_match), std::move(outside));
 }
 
-Guid Participant::guid() const { return to_guid(impl_->participant->guid()); }
+Guid Participant::guid() const {
+  return impl_->participant != nullptr ? to_guid(impl_->participant->guid()) : impl_->bus->participant();
+}
 
 const std::string& Participant::private_partition() const { return impl_->private_partition; }
 

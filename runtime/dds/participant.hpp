@@ -45,10 +45,9 @@ struct ParticipantOptions {
   Network network;
   std::string name = "/";  ///< ROS enclave
   /// Non-empty: readers of this participant match only its own writers (lock-step), while outside readers
-  /// still see the writers.
-  std::string private_partition;
-  /// Nobody is heard and nobody is told, whatever the network says: no port is opened. Own ends find one
-  /// another as ever.
+  /// still see the writers. What is in this partition goes by a bus within the process (bus.hpp), not by DDS.
+  std::string private_partition = {};
+  /// Nobody is heard and nobody is told, whatever the network says: there is no DDS, everything goes by the bus.
   bool alone = false;
   /// Of each socket; the kernel gives at most net.core.rmem_max. 0: its default [bytes].
   std::uint32_t receive_buffer = 0;

@@ -34,14 +34,6 @@ std::string device_of(int descriptor) {
   return static_cast<const char*>(device);
 }
 
-/// 0: not bound, nothing can arrive there.
-int port_of(int descriptor) {
-  sockaddr_in address{};
-  socklen_t length = sizeof(address);
-  EXPECT_EQ(getsockname(descriptor, reinterpret_cast<sockaddr*>(&address), &length), 0);
-  return ntohs(address.sin_port);
-}
-
 TEST(LoopbackSockets, EverySocketOfAParticipantIsBoundToLo) {
   const std::set<int> before = open_datagram_sockets();
   const Participant participant(local());
@@ -194,10 +186,7 @@ TEST_P(Alone, OpensNoPortAndItsOwnEndsMeet) {
   EXPECT_EQ(sample.cdr, cdr);
   std::set<int> opened = open_datagram_sockets();
   std::erase_if(opened, [&](int descriptor) { return before.contains(descriptor); });
-  for (const int descriptor : opened) EXPECT_EQ(device_of(descriptor), "lo");
-  // The first participant of a process asks each interface for its address, by sockets without a port.
-  std::erase_if(opened, [](int descriptor) { return port_of(descriptor) == 0; });
-  EXPECT_LE(opened.size(), 1U) << "Fast DDS keeps one to send by, and nobody is told to";
+  EXPECT_TRUE(opened.empty());
 }
 
 TEST_P(Alone, SeesNobodyAndNobodySeesIt) {
