@@ -80,14 +80,13 @@ bool Actor::deliver(Input& input, Time now, std::optional<Duration> waited) {
 void Actor::give(Input& input, const dds::Guid& writer, std::span<const std::uint8_t> cdr, Time now,
                  std::optional<Duration> waited) {
   if (motion != nullptr && !input.commander.empty()) motion->see(input.type, cdr, steady_time());
-  const Duration start = thread_cpu_time();
   const Tick tick{
       .now = now,
       .health = health(now),
       .sequence = input.calls,
       .from = {writer, writer_clock == nullptr || writer_clock->is_own(writer, input.reader->guid())}};
   const bool accepted = input.handler(cdr, tick);
-  const Duration spent = thread_cpu_time() - start;
+  const Duration spent = thread_cpu_lap();
   if (accepted) ++input.calls;
   {
     const std::lock_guard lock(mutex);
@@ -101,9 +100,8 @@ void Actor::give(Input& input, const dds::Guid& writer, std::span<const std::uin
 void Actor::fire(Timer& timer, Time now, std::optional<Duration> waited) {
   if (!runs(timer)) return;
   see(now);
-  const Duration start = thread_cpu_time();
   timer.handler(Tick{.now = now, .health = health(now), .sequence = timer.calls++});
-  const Duration spent = thread_cpu_time() - start;
+  const Duration spent = thread_cpu_lap();
   const std::lock_guard lock(mutex);
   timer.statistics.run.add(spent);
   if (waited) timer.statistics.wait.add(*waited);

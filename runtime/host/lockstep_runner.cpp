@@ -66,6 +66,7 @@ void LockstepRunner::write(OutputEnd& output, std::span<const std::uint8_t> cdr)
 
 RunEnd LockstepRunner::run(std::optional<Duration> duration) {
   real_start_ = steady_time();
+  thread_cpu_lap();  // what led to the run is of no callback
   for (Actor* actor : actors_) {
     for (const auto& input : actor->inputs) input->last_received = now_;
     for (const auto& timer : actor->timers) {

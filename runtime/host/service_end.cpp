@@ -69,7 +69,6 @@ void ServiceEnd::answer(const Request& request, Time now) {
       complain(fmt::format("{} is refused: {} ({} such so far)", service, actor->not_active(), refused_));
     return;
   }
-  const Duration start = thread_cpu_time();
   const Health health = off_lane ? Health::ok : actor->health(now);
   const bool accepted =
       handler.handle(request.cdr, request.from, Tick{.now = now, .health = health, .sequence = calls_});
@@ -80,7 +79,7 @@ void ServiceEnd::answer(const Request& request, Time now) {
   }
   {
     const std::lock_guard lock(actor->mutex);
-    statistics.run.add(thread_cpu_time() - start);
+    statistics.run.add(thread_cpu_lap());
     if (!accepted) ++statistics.rejected;
   }
   if (!accepted) complain_of(request);

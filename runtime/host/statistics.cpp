@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <utility>
 
 #include "runtime/base/quantile.hpp"
 
@@ -50,6 +51,12 @@ double DurationHistogram::quantile_ms(double q) const {
 }
 
 Duration thread_cpu_time() { return read_clock(CLOCK_THREAD_CPUTIME_ID); }
+
+Duration thread_cpu_lap() {
+  thread_local Duration last;
+  const Duration now = thread_cpu_time();
+  return now - std::exchange(last, now);
+}
 
 Duration steady_time() { return read_clock(CLOCK_MONOTONIC); }
 
