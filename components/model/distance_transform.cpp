@@ -77,6 +77,34 @@ void transform(const OccupancyGrid& grid, const std::vector<std::int32_t>& g, co
   }
 }
 
+// So far [cells] a sum of two squares beyond the reach is still 16 bits wide.
+constexpr int kShortReach = 90;
+
+// nearest[x]: the least (x - i)^2 + g_i^2 of the columns i within `reach`; false where none is.
+bool nearest_in_row(const std::int32_t* g, int width, int reach, std::vector<std::int16_t>& near,
+                    std::vector<std::int16_t>& nearest) {
+  const auto far = static_cast<std::int16_t>(reach * reach + 1);
+  near.assign(static_cast<std::size_t>(width + 2 * reach), far);
+  nearest.assign(static_cast<std::size_t>(width), far);
+  bool is_any = false;
+  for (int x = 0; x < width; ++x) {
+    if (g[x] > reach) continue;
+    near[static_cast<std::size_t>(x + reach)] = static_cast<std::int16_t>(g[x] * g[x]);
+    is_any = true;
+  }
+  if (!is_any) return false;
+  std::int16_t* const to = nearest.data();
+  for (int dx = -reach; dx <= reach; ++dx) {
+    const std::int16_t* from = near.data() + reach + dx;
+    const auto squared_dx = static_cast<std::int16_t>(dx * dx);
+    for (int x = 0; x < width; ++x) {
+      const auto squared = static_cast<std::int16_t>(from[x] + squared_dx);
+      to[x] = squared < to[x] ? squared : to[x];
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 std::vector<float> distance_field(const OccupancyGrid& grid, const ObstacleRule& rule) {
@@ -94,12 +122,24 @@ std::vector<float> distance_field(const OccupancyGrid& grid, const ObstacleRule&
 }
 
 const std::vector<std::int32_t>& DistanceTransform::squared_cells(const OccupancyGrid& grid,
-                                                                  const ObstacleRule& rule) {
+                                                                  const ObstacleRule& rule, int reach) {
   column_distances(grid, rule, in_column_);
-  squared_.resize(in_column_.size());
-  transform(grid, in_column_, {column_, from_}, [&](std::size_t cell, std::int64_t squared) {
-    squared_[cell] = squared < 0 || squared > kNone ? kNone : static_cast<std::int32_t>(squared);
-  });
+  if (reach > kShortReach) {
+    const std::int32_t most = reach * reach;
+    squared_.resize(in_column_.size());
+    transform(grid, in_column_, {column_, from_}, [&](std::size_t cell, std::int64_t squared) {
+      squared_[cell] = squared < 0 || squared > most ? kNone : static_cast<std::int32_t>(squared);
+    });
+    return squared_;
+  }
+  squared_.assign(in_column_.size(), kNone);
+  const int within = std::min(reach, grid.width + grid.height - 1);  // less than of an empty column
+  for (int row = 0; row < grid.height; ++row) {
+    const std::size_t first = grid.index(0, row);
+    if (!nearest_in_row(in_column_.data() + first, grid.width, within, near_, nearest_)) continue;
+    for (std::size_t x = 0; x < nearest_.size(); ++x)
+      if (nearest_[x] <= within * within) squared_[first + x] = nearest_[x];
+  }
   return squared_;
 }
 

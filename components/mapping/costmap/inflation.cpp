@@ -28,19 +28,18 @@ std::int8_t occupancy_of(std::uint8_t cost) {
 }
 
 Inflation::Inflation(const InflationOptions& options, double inscribed_radius, double resolution)
-    : options_(options) {
-  const double reach = options.inflation_radius / resolution;
-  for (int squared = 0; squared <= static_cast<int>(reach * reach) + 1; ++squared)
+    : options_(options), reach_(static_cast<int>(std::ceil(options.inflation_radius / resolution))) {
+  for (int squared = 0; squared <= reach_ * reach_; ++squared)
     table_.push_back(
         cost_at(std::sqrt(static_cast<double>(squared)) * resolution, inscribed_radius, options));
 }
 
 const std::vector<std::uint8_t>& Inflation::costs(const OccupancyGrid& grid) {
-  const std::vector<std::int32_t>& squared = transform_.squared_cells(grid, {});
+  const std::vector<std::int32_t>& squared = transform_.squared_cells(grid, {}, reach_);
   costs_.resize(squared.size());
-  const auto count = static_cast<std::int32_t>(table_.size());
   for (std::size_t i = 0; i < squared.size(); ++i) {
-    const std::uint8_t cost = squared[i] < count ? table_[static_cast<std::size_t>(squared[i])] : kFreeCost;
+    const std::uint8_t cost =
+        squared[i] != DistanceTransform::kNone ? table_[static_cast<std::size_t>(squared[i])] : kFreeCost;
     const std::uint8_t least = options_.inflate_unknown ? kFreeCost + 1 : kInscribedCost;
     const bool is_unknown = options_.track_unknown_space && grid.cells[i] < 0;
     costs_[i] = is_unknown && cost < least ? kUnknownCost : cost;

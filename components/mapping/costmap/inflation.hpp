@@ -38,8 +38,9 @@ class Inflation {
 
  private:
   InflationOptions options_;
+  int reach_;  ///< of the inflation [cells]
   DistanceTransform transform_;
-  std::vector<std::uint8_t> table_;  ///< cost by squared distance [cells^2]; 0 beyond
+  std::vector<std::uint8_t> table_;  ///< cost by squared distance [cells^2]
   std::vector<std::uint8_t> costs_;
 };
 

@@ -37,13 +37,15 @@ TEST(Inflation, EqualsBruteForceOn200RandomMaps) {
     Inflation inflation(options, inscribed, grid.resolution);
     const std::vector<std::uint8_t>& costs = inflation.costs(grid);
     DistanceTransform transform;
-    const std::vector<std::int32_t>& squared = transform.squared_cells(grid, {});
+    // Beyond 90 cells by the lower envelope, else by looking around.
+    const int reach = static_cast<int>(random.uniform() < 0.5 ? random.uniform(0, 91) : 46340);
+    const std::vector<std::int32_t>& squared = transform.squared_cells(grid, {}, reach);
     for (int row = 0; row < grid.height; ++row) {
       for (int column = 0; column < grid.width; ++column) {
         const std::size_t i = grid.index(column, row);
         const double cells = nearest_obstacle(grid, column, row);
-        ASSERT_EQ(squared[i], std::isinf(cells) ? DistanceTransform::kNone
-                                                : static_cast<std::int32_t>(std::lround(cells * cells)));
+        ASSERT_EQ(squared[i], cells > reach ? DistanceTransform::kNone
+                                            : static_cast<std::int32_t>(std::lround(cells * cells)));
         const double d = cells * grid.resolution;
         double cost = d > options.inflation_radius ? 0.0
                       : d <= inscribed
