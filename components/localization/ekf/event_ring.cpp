@@ -2,6 +2,7 @@
 
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace bw::localization {
 namespace {
@@ -27,7 +28,7 @@ void EventRing::restart(const EkfState& state) {
 }
 
 void EventRing::drop_first() {
-  base_ = at(0).after;
+  std::swap(base_, at(0).after);
   base_stamp_ = stamp(at(0).measurement);
   first_ = (first_ + 1) % static_cast<int>(order_.size());
   --size_;
