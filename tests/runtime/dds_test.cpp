@@ -189,6 +189,52 @@ TEST_P(Alone, OpensNoPortAndItsOwnEndsMeet) {
   EXPECT_TRUE(opened.empty());
 }
 
+// KEEP_LAST, and a latched sample for who comes later: as DDS has it.
+TEST(Bus, ReadersKeepTheNewestAndLateOnesGetWhatIsLatched) {
+  Participant participant(alone(Transport::localhost));
+  EndpointOptions options{
+      .topic = "rt/a", .type = "std_msgs::msg::dds_::String_", .qos = Qos::standard(2), .user_data = {}};
+  int heard = 0;
+  const auto reader = participant.create_reader(options, [&] { ++heard; });
+  options.qos = Qos::latched();
+  const auto writer = participant.create_writer(options);
+  for (std::uint8_t i = 1; i <= 3; ++i) ASSERT_TRUE(writer->write(std::vector{i}));
+  EXPECT_EQ(heard, 3);
+  Sample sample;
+  for (std::uint8_t i = 2; i <= 3; ++i) {
+    ASSERT_TRUE(reader->take(sample));
+    EXPECT_EQ(sample.cdr, std::vector{i});
+    EXPECT_EQ(sample.sequence, i);
+    EXPECT_EQ(sample.writer, writer->guid());
+  }
+  EXPECT_FALSE(reader->take(sample));
+  const auto late = participant.create_reader(options, [&] { ++heard; });
+  EXPECT_EQ(heard, 4);
+  ASSERT_TRUE(late->take(sample));
+  EXPECT_EQ(sample.cdr, std::vector<std::uint8_t>{3});
+  EXPECT_FALSE(late->take(sample));
+  options.qos.durability = Durability::volatile_;
+  const auto weak = participant.create_writer(options);
+  EXPECT_EQ(weak->matched_readers(), 1) << "who asks for latched samples is not matched";
+  options.type = "std_msgs::msg::dds_::Bool_";
+  EXPECT_THROW(participant.create_writer(options), std::runtime_error);
+}
+
+TEST(Bus, RepliesFindTheirRequest) {
+  Participant participant(alone(Transport::localhost));
+  const EndpointOptions options{
+      .topic = "rq/a", .type = "std_msgs::msg::dds_::String_", .qos = {}, .user_data = {}};
+  const auto server = participant.create_reader(options, [] {});
+  const auto client = participant.create_writer(options);
+  ASSERT_TRUE(client->is_matched(server->guid()));
+  const SampleIdentity asker{server->guid(), 7};
+  const auto identity = client->write_related(std::vector<std::uint8_t>{1}, asker);
+  Sample sample;
+  ASSERT_TRUE(server->take(sample));
+  EXPECT_EQ(sample.related, asker);
+  EXPECT_EQ(identity, (SampleIdentity{sample.writer, static_cast<std::int64_t>(sample.sequence)}));
+}
+
 TEST_P(Alone, SeesNobodyAndNobodySeesIt) {
   const Participant hidden(alone(GetParam()));
   const Participant hidden_too(alone(GetParam()));
