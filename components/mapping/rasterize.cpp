@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace bw {
 namespace {
@@ -44,7 +45,7 @@ void include_edge(const Vector2& a, const Vector2& b, double bottom, double top,
 
 }  // namespace
 
-void draw_convex(OccupancyGrid& grid, const std::vector<Vector2>& corners) {
+void draw_convex(OccupancyGrid& grid, const std::vector<Vector2>& corners, std::int8_t value) {
   Interval y;
   for (const Vector2& corner : corners) {
     if (!corner.allFinite()) return;
@@ -66,9 +67,69 @@ void draw_convex(OccupancyGrid& grid, const std::vector<Vector2>& corners) {
     const int right =
         std::min(clamped_cell(x.high, grid.origin.x(), grid.resolution, grid.width), grid.width - 1);
     for (int column = left; column <= right; ++column) {
-      grid.cells[grid.index(column, row)] = OccupancyGrid::kOccupied;
+      grid.cells[grid.index(column, row)] = value;
     }
   }
+}
+
+void draw_polygon(OccupancyGrid& grid, const std::vector<Vector2>& corners, std::int8_t value) {
+  if (!std::ranges::all_of(corners, [](const Vector2& corner) { return corner.allFinite(); })) return;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    draw_segment(grid, {corners[i], corners[(i + 1) % corners.size()]}, value);
+  // What is left are cells whose middle lies within: along the middle of a row, where more sides that go up
+  // were crossed than such that go down, or fewer.
+  struct Crossing {
+    double x = 0.0;
+    int up = 0;
+  };
+  std::vector<Crossing> crossings;
+  for (int row = 0; row < grid.height; ++row) {
+    const double y = grid.center(0, row).y();
+    crossings.clear();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Vector2& a = corners[i];
+      const Vector2& b = corners[(i + 1) % corners.size()];
+      if ((a.y() <= y) != (b.y() <= y))
+        crossings.push_back({a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()), a.y() <= y ? 1 : -1});
+    }
+    std::ranges::sort(crossings, {}, &Crossing::x);
+    int winding = 0;
+    for (std::size_t i = 1; i < crossings.size(); ++i) {
+      winding += crossings[i - 1].up;
+      if (winding == 0) continue;
+      const int first = clamped_cell(crossings[i - 1].x + grid.resolution / 2.0, grid.origin.x(),
+                                     grid.resolution, grid.width);
+      const int last = clamped_cell(crossings[i].x - grid.resolution / 2.0, grid.origin.x(), grid.resolution,
+                                    grid.width - 1);
+      for (int column = std::max(first, 0); column <= last; ++column)
+        grid.cells[grid.index(column, row)] = value;
+    }
+  }
+}
+
+bool grow_to_hold(OccupancyGrid& grid, const std::vector<Vector2>& points, double max_cells) {
+  Vector2 low = Vector2::Zero();  // [cells] from the corners of the grid
+  Vector2 high(grid.width, grid.height);
+  for (const Vector2& point : points) {
+    const Vector2 cell = ((point - grid.origin) / grid.resolution).array().floor();
+    low = low.cwiseMin(cell);
+    high = high.cwiseMax(cell + Vector2::Ones());
+  }
+  const Vector2 size = high - low;
+  if (size.x() * size.y() > max_cells) return false;
+  OccupancyGrid larger{.resolution = grid.resolution,
+                       .origin = grid.origin + low * grid.resolution,
+                       .width = static_cast<int>(size.x()),
+                       .height = static_cast<int>(size.y())};
+  larger.cells.assign(static_cast<std::size_t>(larger.width) * static_cast<std::size_t>(larger.height),
+                      OccupancyGrid::kUnknown);
+  for (int row = 0; row < grid.height; ++row) {
+    std::copy_n(grid.cells.begin() + static_cast<std::ptrdiff_t>(grid.index(0, row)), grid.width,
+                larger.cells.begin() + static_cast<std::ptrdiff_t>(larger.index(
+                                           -static_cast<int>(low.x()), row - static_cast<int>(low.y()))));
+  }
+  grid = std::move(larger);
+  return true;
 }
 
 void draw_disc(OccupancyGrid& grid, const Disc& disc) {

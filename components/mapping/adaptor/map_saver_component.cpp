@@ -1,4 +1,4 @@
-// Adaptor: the newest map of a topic into a file.
+// Adaptor: the newest map of a topic into a file, all of it or a part.
 #include <cmath>
 #include <exception>
 #include <map>
@@ -6,17 +6,21 @@
 #include <string>
 #include <vector>
 
+#include <bandwagon_msgs/srv/save_map_part.hpp>
 #include <fmt/format.h>
 #include <nav2_msgs/srv/save_map.hpp>
 #include <nav_msgs/msg/occupancy_grid.hpp>
 
 #include "components/files/map_file.hpp"
+#include "components/files/map_image.hpp"
+#include "components/mapping/map_part.hpp"
 #include "components/messages/grid.hpp"
 #include "runtime/component.hpp"
 
 namespace bw {
 namespace {
 
+using bandwagon_msgs::srv::SaveMapPart;
 using nav2_msgs::srv::SaveMap;
 
 struct MapSaverOptions {
@@ -87,15 +91,44 @@ class MapSaverComponent final : public Component {
           return response;
         },
         [](const std::string&) { return SaveMap::Response(); });
+    const auto refuse = [](const std::string& why) {
+      SaveMapPart::Response response;
+      response.message(why);
+      return response;
+    };
+    setup.service<SaveMapPart>(
+        "~/save_map_part",
+        [this, refuse](const SaveMapPart::Request& request, const Tick&) {
+          try {
+            log_.info("saved {}", save_part(request));
+          } catch (const std::exception& fault) {
+            log_.error("no map is saved: {}", fault.what());
+            return refuse(fault.what());
+          }
+          SaveMapPart::Response response;
+          response.success(true);
+          return response;
+        },
+        refuse);
   }
 
  private:
-  /// Returns the file's name. Throws what is told to people.
+  // These return the file's name, and throw what is told to people.
+
+  std::string save_part(const SaveMapPart::Request& request) const {
+    const MapPart part{{request.corner().x(), request.corner().y(), request.corner().theta()},
+                       request.length(),
+                       request.width()};
+    SaveMap::Request file;
+    file.map_url(request.map_url());
+    return write(part_of(newest(request.map_topic()), part, static_cast<double>(kMaxMapCells)), file);
+  }
+
   std::string save(const SaveMap::Request& request) const {
-    const nav_msgs::msg::OccupancyGrid& message = newest(request.map_topic());
-    OccupancyGrid grid;
-    if (const std::string fault = read_grid(message, grid); !fault.empty())
-      throw std::runtime_error("the map is of no use: " + fault);
+    return write(newest(request.map_topic()), request);
+  }
+
+  std::string write(const OccupancyGrid& grid, const SaveMap::Request& request) const {
     const auto url = path_of_url(request.map_url());
     if (!url) throw std::runtime_error("'" + request.map_url() + "' is no path and no file:// URL");
     std::filesystem::create_directories(folder_);
@@ -110,11 +143,14 @@ class MapSaverComponent final : public Component {
     return yaml.string();
   }
 
-  const nav_msgs::msg::OccupancyGrid& newest(const std::string& topic) const {
+  OccupancyGrid newest(const std::string& topic) const {
     for (const auto& [name, map] : maps_) {
       if (name != (topic.empty() ? options_.topics.front() : topic) && "/" + name != topic) continue;
       if (!map) throw std::runtime_error("nothing came on " + name + " yet");
-      return *map;
+      OccupancyGrid grid;
+      if (const std::string fault = read_grid(*map, grid); !fault.empty())
+        throw std::runtime_error("the map is of no use: " + fault);
+      return grid;
     }
     throw std::runtime_error(fmt::format("'{}' is none of the topics in the parameter `topics` ({})", topic,
                                          fmt::join(options_.topics, ", ")));

@@ -1,9 +1,17 @@
-// Adaptor of the map server: one latched map, and services to ask for it and to put another in its place.
+// Adaptor of the map server: one latched map, and services to ask for it, to put another in its place and to
+// draw into it.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <bandwagon_msgs/srv/draw_polygon.hpp>
 #include <nav2_msgs/srv/load_map.hpp>
 #include <nav_msgs/msg/occupancy_grid.hpp>
 #include <nav_msgs/srv/get_map.hpp>
 
 #include "components/files/map_file.hpp"
+#include "components/files/map_image.hpp"
 #include "components/files/shape_file.hpp"
 #include "components/mapping/map_server_options.hpp"
 #include "components/mapping/rasterize.hpp"
@@ -13,6 +21,7 @@
 namespace bw {
 namespace {
 
+using bandwagon_msgs::srv::DrawPolygon;
 using nav2_msgs::srv::LoadMap;
 using nav_msgs::srv::GetMap;
 
@@ -31,6 +40,28 @@ std::uint8_t to_result(MapFault fault) {
       break;
   }
   return result::RESULT_UNDEFINED_FAILURE;
+}
+
+DrawPolygon::Response refusal_to_draw(const std::string& why) {
+  DrawPolygon::Response response;
+  response.message(why);
+  return response;
+}
+
+/// Why it is nothing that can be drawn; empty: it is.
+std::string fault_of(const DrawPolygon::Request& request, const std::string& frame) {
+  constexpr std::size_t kMaxCorners = 10'000;
+  const auto& corners = request.polygon().polygon().points();
+  const std::string& asked = request.polygon().header().frame_id();
+  const bool is_finite = std::ranges::all_of(
+      corners, [](const auto& corner) { return std::isfinite(corner.x()) && std::isfinite(corner.y()); });
+  if (asked != frame) return "the polygon is in frame '" + asked + "', and must be in '" + frame + "'";
+  if (corners.empty() || corners.size() > kMaxCorners)
+    return "a polygon has from 1 to " + std::to_string(kMaxCorners) + " corners";
+  if (!is_finite) return "a corner is not finite";
+  if (request.value() < OccupancyGrid::kUnknown || request.value() > OccupancyGrid::kOccupied)
+    return "value must be -1, or from 0 to 100";
+  return {};
 }
 
 LoadMap::Response response_of(MapFault fault) {
@@ -67,6 +98,10 @@ class MapServerComponent final : public Component {
         [this](const LoadMap::Request& request, const Tick& tick) { return load(request.map_url(), tick); },
         [](const std::string&) { return response_of(MapFault::other); },
         ServiceScope::node);  // as Nav2's: a map may be changed before it is shown
+    setup.service<DrawPolygon>(
+        "~/draw_polygon",
+        [this](const DrawPolygon::Request& request, const Tick& tick) { return draw(request, tick); },
+        refusal_to_draw);
   }
 
   void activate(const Tick& tick) override {
@@ -90,6 +125,26 @@ class MapServerComponent final : public Component {
     LoadMap::Response response = response_of(MapFault::none);
     response.map(message());
     map_.publish(response.map());
+    return response;
+  }
+
+  DrawPolygon::Response draw(const DrawPolygon::Request& request, const Tick& tick) {
+    std::vector<Vector2> corners;
+    for (const auto& corner : request.polygon().polygon().points())
+      corners.emplace_back(corner.x(), corner.y());
+    std::string fault = fault_of(request, frame_);
+    if (fault.empty() && !grow_to_hold(grid_, corners, static_cast<double>(kMaxMapCells)))
+      fault = "the polygon reaches too far: the map would have more than " + std::to_string(kMaxMapCells) +
+              " cells";
+    if (!fault.empty()) {
+      log_.error("nothing is drawn: {}", fault);
+      return refusal_to_draw(fault);
+    }
+    draw_polygon(grid_, corners, request.value());
+    since_ = tick.now;
+    map_.publish(message());
+    DrawPolygon::Response response;
+    response.success(true);
     return response;
   }
 

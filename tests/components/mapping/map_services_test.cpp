@@ -1,6 +1,10 @@
 // map_server and map_saver on their services, in lock-step.
 #include <limits>
+#include <numbers>
+#include <vector>
 
+#include <bandwagon_msgs/srv/draw_polygon.hpp>
+#include <bandwagon_msgs/srv/save_map_part.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nav2_msgs/srv/load_map.hpp>
@@ -16,6 +20,8 @@
 namespace bw {
 namespace {
 
+using bandwagon_msgs::srv::DrawPolygon;
+using bandwagon_msgs::srv::SaveMapPart;
 using nav2_msgs::srv::LoadMap;
 using nav2_msgs::srv::SaveMap;
 using nav_msgs::srv::GetMap;
@@ -201,6 +207,91 @@ TEST_F(MapServices, AMapIsOverwrittenWhereThatIsSaid) {
   EXPECT_TRUE(answers.saved[0].result());
   EXPECT_EQ(load_map(folder_ / "map.yaml").cells, kArea.cells);
   EXPECT_EQ(std::filesystem::file_size(folder_ / "victim"), 3U);  // the link went, not what it led to
+}
+
+DrawPolygon::Request polygon(const std::vector<std::pair<float, float>>& corners, int value,
+                             const std::string& frame = "map") {
+  DrawPolygon::Request request;
+  request.polygon().header().frame_id(frame);
+  for (const auto& [x, y] : corners) {
+    geometry_msgs::msg::Point32 point;
+    point.x(x);
+    point.y(y);
+    request.polygon().polygon().points().push_back(point);
+  }
+  request.value(static_cast<std::int8_t>(value));
+  return request;
+}
+
+/// One request each tenth of a second.
+std::pair<std::vector<DrawPolygon::Response>, std::vector<OccupancyGrid>> draw(
+    const std::vector<DrawPolygon::Request>& polygons) {
+  std::vector<TimedRequest<DrawPolygon>> requests;
+  for (const auto& request : polygons)
+    requests.push_back({0.1 * static_cast<double>(requests.size() + 1), request});
+  std::vector<DrawPolygon::Response> responses;
+  std::vector<OccupancyGrid> maps;
+  run_with_script(graph(""), 2.0, [&](bw::Setup& setup) {
+    setup.input<nav_msgs::msg::OccupancyGrid>(
+        "map", Qos::latched(), [&](const auto& m, const Tick&) { maps.push_back(grid_of(m)); });
+    call_at<DrawPolygon>(setup, "map_server/draw_polygon", requests, responses);
+  });
+  return {responses, maps};
+}
+
+// Cells of 0.5 m: a rectangle in the two columns from x = 1 on, a point of it erased, then one beyond the
+// map, which grows by a column and a row.
+TEST_F(MapServices, PolygonsAreDrawnAndErased) {
+  const auto [responses, maps] = draw({polygon({{1.1F, 0.1F}, {1.9F, 0.1F}, {1.9F, 0.9F}, {1.1F, 0.9F}}, 100),
+                                       polygon({{1.6F, 0.6F}}, 0), polygon({{-0.2F, 1.2F}}, 50)});
+  for (const auto& response : responses) EXPECT_TRUE(response.success()) << response.message();
+  ASSERT_EQ(maps.size(), 4U);
+  EXPECT_EQ(maps[0].cells, kArea.cells);
+  EXPECT_THAT(maps[1].cells, ElementsAre(100, 0, 100, 100, 0, 0, 100, 100));
+  EXPECT_THAT(maps[2].cells, ElementsAre(100, 0, 100, 100, 0, 0, 100, 0));
+  EXPECT_EQ(maps[3].origin, Vector2(-0.5, 0.0));
+  EXPECT_THAT(maps[3].cells, ElementsAre(-1, 100, 0, 100, 100, -1, 0, 0, 100, 0, 50, -1, -1, -1, -1));
+}
+
+TEST_F(MapServices, WhatIsNoPolygonIsNotDrawn) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const auto [responses, maps] =
+      draw({polygon({{0.1F, 0.1F}}, 100, "odom"), polygon({}, 100), polygon({{nan, 0.1F}}, 100),
+            polygon({{0.1F, 0.1F}}, 101), polygon({{0.1F, 0.1F}}, -2), polygon({{1e30F, 1e30F}}, 100),
+            polygon({{1e4F, 1e4F}}, 100)});
+  ASSERT_EQ(responses.size(), 7U);
+  for (const auto& response : responses) {
+    EXPECT_FALSE(response.success());
+    EXPECT_NE(response.message(), "");
+  }
+  EXPECT_EQ(maps.size(), 1U);
+}
+
+// The lower side goes up along y from (2, 0): two cells of it, and four to its left, turned by a right angle
+// about the origin of the map. The wall, in the corner at (0, 0), is at the left end of the top row then.
+TEST_F(MapServices, APartIsSavedUpright) {
+  SaveMapPart::Request part;
+  part.map_url("part");
+  part.corner().x(2.0);
+  part.corner().theta(std::numbers::pi / 2.0);
+  part.length(1.0);
+  part.width(2.0);
+  SaveMapPart::Request bad = part;
+  bad.map_url("bad");
+  bad.length(0.0);
+  std::vector<SaveMapPart::Response> responses;
+  run_with_script(graph("folder: " + (folder_ / "").string()), 2.0, [&](bw::Setup& setup) {
+    call_at<SaveMapPart>(setup, "map_saver/save_map_part", {{0.5, part}, {0.6, bad}, {0.7, part}}, responses);
+  });
+  ASSERT_EQ(responses.size(), 3U);
+  EXPECT_TRUE(responses[0].success()) << responses[0].message();
+  EXPECT_EQ(responses[1].message(), "length and width of the part must be positive");
+  EXPECT_THAT(responses[2].message(), testing::HasSubstr("exists already"));
+  const OccupancyGrid saved = load_map(folder_ / "part.yaml");
+  EXPECT_EQ(saved.width, 2);
+  EXPECT_THAT(saved.cells, ElementsAre(0, 0, 0, 0, 0, 0, 100, 0));
+  EXPECT_NEAR((saved.origin - Vector2(0.0, -2.0)).norm(), 0.0, 1e-9);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "bad.pgm"));
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 #include "components/mapping/rasterize.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -100,6 +103,59 @@ TEST(Rasterize, CoversADiscAndLittleMore) {
       EXPECT_TRUE(!drawn || distance <= farthest) << distance;
     }
   }
+}
+
+// The reference: round a point inside, the angles to the corners add up to whole turns.
+int turns_round(const std::vector<Vector2>& corners, const Vector2& p) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vector2 a = corners[i] - p;
+    const Vector2 b = corners[(i + 1) % corners.size()] - p;
+    sum += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+  }
+  return static_cast<int>(std::lround(sum / (2.0 * std::numbers::pi)));
+}
+
+// By hand lines cross themselves. Cells whose middle it goes round, and those that it touches; and erased the
+// same way nothing is left of them.
+TEST(Rasterize, FillsWhateverALineByHandGoesRound) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    std::vector<Vector2> corners;
+    for (int i = 0; i < 7; ++i) corners.emplace_back(random.uniform(-3.0, 3.0), random.uniform(-2.5, 2.5));
+    OccupancyGrid grid = test::empty_grid(40, 30, 0.1, {-2.0, -1.5});
+    OccupancyGrid outline = grid;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      draw_segment(outline, {corners[i], corners[(i + 1) % corners.size()]});
+    draw_polygon(grid, corners, 77);
+    for (int row = 0; row < grid.height; ++row) {
+      for (int column = 0; column < grid.width; ++column) {
+        const bool is_in = turns_round(corners, grid.center(column, row)) != 0 ||
+                           outline.at(column, row) == OccupancyGrid::kOccupied;
+        ASSERT_EQ(grid.at(column, row), is_in ? 77 : 0) << column << ", " << row;
+      }
+    }
+    draw_polygon(grid, corners, OccupancyGrid::kFree);
+    ASSERT_EQ(grid.cells, test::empty_grid(40, 30, 0.1).cells);
+  }
+}
+
+// One corner 1.2 cells to the left, one 2.5 cells above: 2 columns and 3 rows more, and all stays where it
+// was.
+TEST(Rasterize, AGridGrowsByWholeUnknownCells) {
+  OccupancyGrid grid = test::empty_grid(4, 2, 0.5, {1.0, 1.0});
+  grid.cells[grid.index(3, 1)] = OccupancyGrid::kOccupied;
+  ASSERT_TRUE(grow_to_hold(grid, {{0.4, 1.2}, {2.0, 3.25}}, 30.0));
+  EXPECT_EQ(grid.width, 6);
+  EXPECT_EQ(grid.height, 5);
+  EXPECT_EQ(grid.origin, Vector2(0.0, 1.0));
+  EXPECT_EQ(grid.at(grid.column_of(2.75), grid.row_of(1.75)), OccupancyGrid::kOccupied);
+  EXPECT_EQ(grid.at(1, 0), OccupancyGrid::kUnknown);
+  EXPECT_EQ(grid.at(2, 0), OccupancyGrid::kFree);
+  EXPECT_FALSE(grow_to_hold(grid, {{-0.1, 1.0}}, 30.0));
+  EXPECT_FALSE(grow_to_hold(grid, {{1e38, -1e38}}, 30.0));
+  EXPECT_EQ(grid.width, 6);
 }
 
 }  // namespace
