@@ -11,6 +11,7 @@
 
 #include "components/global_planner/costs.hpp"
 #include "components/global_planner/global_costmap_parameters.hpp"
+#include "components/mapping/adaptor/keepout_mask.hpp"
 #include "components/mapping/costmap/inflation.hpp"
 #include "components/messages/costmap.hpp"
 #include "components/messages/costmap_clearing.hpp"
@@ -40,6 +41,9 @@ class GlobalCostmapComponent final : public Component {
     costmap_raw_ = setup.output<nav2_msgs::msg::Costmap>("costmap_raw", Qos::latched());
     published_footprint_ = setup.output<geometry_msgs::msg::PolygonStamped>("published_footprint");
     listen_to_map(setup, [this](const auto& message, const Tick& tick) { on_map(message, tick.now); });
+    keepout_.listen(setup, transforms_, [this](const Tick& tick) {
+      if (!map_frame_.empty()) publish_costs(tick.now);
+    });
     setup.every(Duration::seconds(1.0 / parameters_.publish_frequency), "footprint",
                 [this](const Tick& tick) {
                   if (std::exchange(has_new_footprint_, false) && !map_frame_.empty())
@@ -84,11 +88,12 @@ class GlobalCostmapComponent final : public Component {
   }
 
   void publish_costs(Time now) {
-    SearchGrid grid;
-    grid.build(map_, footprint_.now(), parameters_.planner);
-    costs_ = costs_of(grid, map_, parameters_.planner.clearance_weight);
-    costmap_raw_.publish(costs(now));
     OccupancyGrid shown = map_;
+    keepout_.mark(shown, map_frame_);
+    SearchGrid grid;
+    grid.build(shown, footprint_.now(), parameters_.planner);
+    costs_ = costs_of(grid, shown, parameters_.planner.clearance_weight);
+    costmap_raw_.publish(costs(now));
     for (std::size_t i = 0; i < costs_.size(); ++i) shown.cells[i] = costmap::occupancy_of(costs_[i]);
     costmap_.publish(to_message(shown, map_frame_, now));
   }
@@ -112,6 +117,7 @@ class GlobalCostmapComponent final : public Component {
   Logger log_;
   bool has_told_ = false;
   OccupancyGrid map_;
+  KeepoutMask keepout_;
   std::vector<std::uint8_t> costs_;  ///< of its cells
   std::string map_frame_;            ///< empty until a usable map came
   std::string base_frame_;

@@ -31,7 +31,7 @@ void MapPlanner::configure(Setup& setup) {
         planner_.set_options(changed.planner);
       },
       {"clearance_range", "clearance_weight", "unknown_is_obstacle", "plan_around_obstacles"});
-  footprint_.listen(setup, setup.shared<Robot>("robot"), [this](const Footprint&) { prepare(); });
+  footprint_.listen(setup, setup.shared<Robot>("robot"), [this](const Footprint&) { prepare_again(); });
   planner_ = Planner(parameters_.planner);
   log_ = setup.log();
   base_frame_ = setup.frame("base_link");
@@ -40,12 +40,13 @@ void MapPlanner::configure(Setup& setup) {
   if (parameters_.plan_around_obstacles)
     obstacles_ = setup.latest<bandwagon_msgs::msg::Obstacles>("obstacles", Qos::standard(), Need::optional);
   listen_to_map(setup, [this](const auto& message, const Tick&) { keep_map(message); });
+  keepout_.listen(setup, transforms_, [this](const Tick&) { prepare_again(); });
 }
 
 void MapPlanner::keep_map(const nav_msgs::msg::OccupancyGrid& message) {
   OccupancyGrid grid;
   std::string fault = read_grid(message, grid);
-  if (fault.empty()) fault = planner_.set_map(grid, footprint_.now());
+  if (fault.empty()) fault = prepare(grid, message.header().frame_id());
   if (!fault.empty()) {
     log_.warn("the map is not used: {}", fault);
     return;
@@ -54,19 +55,33 @@ void MapPlanner::keep_map(const nav_msgs::msg::OccupancyGrid& message) {
   map_ = std::move(grid);
 }
 
-/// The map with what was seen last, at the position where its frame is in the map now.
-void MapPlanner::prepare() {
-  if (map_frame_.empty()) return;
+std::string MapPlanner::prepare(OccupancyGrid map, const std::string& frame) {
+  keepout_.mark(map, frame);
   StaticObstacles seen;
   if (obstacles_) {
-    const auto X_MO = transforms_->lookup_planar(map_frame_, obstacles_->header().frame_id());
+    const auto X_MO = transforms_->lookup_planar(frame, obstacles_->header().frame_id());
     if (X_MO) seen = to_obstacles(*obstacles_, *X_MO);
   }
-  planner_.set_map(map_, footprint_.now(), seen);
+  return planner_.set_map(map, footprint_.now(), seen);
+}
+
+void MapPlanner::prepare_again() {
+  if (!map_frame_.empty()) prepare(map_, map_frame_);
+}
+
+std::string MapPlanner::kept_out(const std::vector<Pose2>& poses) const {
+  std::string places;
+  for (const Pose2& pose : poses) {
+    if (keepout_.hold(pose.position(), map_frame_))
+      places += fmt::format("; ({:.2f}, {:.2f}) lies in a keep-out zone", pose.x, pose.y);
+  }
+  return places;
 }
 
 PathResult MapPlanner::plan(const RouteRequest& request, Time now) {
   if (map_frame_.empty()) return {.status = PathStatus::no_map, .reason = "there is no map yet"};
+  if (std::string fault = keepout_.fault(map_frame_); !fault.empty())
+    return {.status = PathStatus::unplaced, .reason = std::move(fault)};
   const auto unplaced = [](const std::string& who, const std::string& reason) {
     return PathResult{.status = PathStatus::unplaced, .reason = who + " " + reason};
   };
@@ -80,11 +95,13 @@ PathResult MapPlanner::plan(const RouteRequest& request, Time now) {
     if (!stop) return unplaced(name_of(stops.size(), request.stops.size()), reason);
     stops.push_back(*stop);
   }
-  if (parameters_.plan_around_obstacles) prepare();
+  if (parameters_.plan_around_obstacles || keepout_.is_elsewhere(map_frame_)) prepare_again();
   const std::vector<Disc> standing = standing_people(*start, now);
   PathResult result = planner_.plan_through(*start, stops, standing);
   // People move: a path that has to wait for them is better than none.
   if (result.status != PathStatus::ok && !standing.empty()) result = planner_.plan_through(*start, stops);
+  if (result.status == PathStatus::start_blocked) result.reason += kept_out({*start});
+  if (result.status == PathStatus::goal_blocked) result.reason += kept_out(stops);
   return result;
 }
 

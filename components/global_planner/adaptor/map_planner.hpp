@@ -15,6 +15,7 @@
 
 #include "components/global_planner/global_planner_parameters.hpp"
 #include "components/global_planner/planner.hpp"
+#include "components/mapping/adaptor/keepout_mask.hpp"
 #include "components/messages/current_footprint.hpp"
 #include "runtime/component.hpp"
 #include "runtime/transforms/transform_tree.hpp"
@@ -32,8 +33,8 @@ struct RouteRequest {
 
 class MapPlanner {
  public:
-  /// Declares the inputs map, obstacles (if they are planned around), tracks and /tf, and reads the
-  /// parameters.
+  /// Declares the inputs map, keepout_filter_mask, obstacles (if they are planned around), tracks and /tf, and
+  /// reads the parameters.
   void configure(Setup& setup);
 
   PathResult plan(const RouteRequest& request, Time now);
@@ -50,12 +51,17 @@ class MapPlanner {
   std::optional<Pose2> in_map(const geometry_msgs::msg::PoseStamped& pose, bool at_its_stamp,
                               std::string& reason) const;
   std::vector<Disc> standing_people(const Pose2& start, Time now) const;
-
-  void prepare();
+  /// Gives the planner a map with what is in the way beside it: keep-out zones, and where they are planned
+  /// around the obstacles seen last, where their frames are in the map now. Returns why it is none.
+  std::string prepare(OccupancyGrid map, const std::string& frame);
+  void prepare_again();
+  /// Which of these poses lie in keep-out zones, for a reason; empty: none.
+  std::string kept_out(const std::vector<Pose2>& poses) const;
 
   GlobalPlannerParameters parameters_;
   CurrentFootprint footprint_;
   OccupancyGrid map_;
+  KeepoutMask keepout_;
   Planner planner_;
   Logger log_;
   std::string map_frame_;

@@ -7,6 +7,7 @@
 
 #include "components/mapping/adaptor/costmap_services.hpp"
 #include "components/mapping/adaptor/costmap_topics.hpp"
+#include "components/mapping/adaptor/keepout_mask.hpp"
 #include "components/mapping/adaptor/map_below.hpp"
 #include "components/mapping/costmap/inflation.hpp"
 #include "components/mapping/costmap/local_grid.hpp"
@@ -53,6 +54,7 @@ class LocalCostmapComponent final : public Component {
                                              });
     tracks_ = setup.latest<bandwagon_msgs::msg::Tracks>("tracks", Qos::standard(), Need::optional);
     if (parameters_.use_map) map_.listen(setup, transforms_);
+    keepout_.listen(setup, transforms_);
     setup.every(Duration::milliseconds(10), "sweeps", [this](const Tick& tick) { take_in(tick.now); });
     offer_services(setup, parameters_.nav2_names ? "" : "local_costmap/",
                    {.grid = grid_, .X_OB = X_OB_, .costs = [this](Time now) { return costs(now); }});
@@ -90,8 +92,9 @@ class LocalCostmapComponent final : public Component {
     });
     sweep.beam_poses = poses;
     const SweepFault fault = grid_->add(sweep, X_OB, footprint_.now(), people_at(stamp));
-    note(fault == SweepFault::none ? std::string() : to_text(fault));
-    if (fault != SweepFault::none) return;
+    const std::string why = fault == SweepFault::none ? keepout_.fault(odom_frame_) : to_text(fault);
+    note(why);
+    if (!why.empty()) return;
     swept_ = stamp;
     X_OB_ = X_OB;
     // A tenth of a period for stamps that tremble.
@@ -101,15 +104,18 @@ class LocalCostmapComponent final : public Component {
     publish(stamp);
   }
 
-  /// Silent while no sweep is usable: whoever reads obstacles watches their age.
+  /// Silent while no sweep is usable, or nobody knows where the keep-out zones are: whoever reads obstacles
+  /// watches their age.
   void publish(Time stamp) {
     cells_ = grid_->cells();
     map_.fill(cells_);
-    const ExtractionResult near =
-        extract_obstacles(cells_, X_OB_.position(), parameters_.obstacles, grid_->surface());
-    obstacles_.publish(to_message(near.obstacles, {}, odom_frame_, stamp));
-    diagnostics_->set_value("shapes", std::to_string(near.obstacles.size()));
+    StaticObstacles near =
+        extract_obstacles(cells_, X_OB_.position(), parameters_.obstacles, grid_->surface()).obstacles;
+    keepout_.add_to(near, X_OB_.position(), odom_frame_, parameters_.obstacles);
+    obstacles_.publish(to_message(near, {}, odom_frame_, stamp));
+    diagnostics_->set_value("shapes", std::to_string(near.size()));
     if (!topics_.has_readers()) return;
+    keepout_.mark(cells_, odom_frame_);
     topics_.publish(cells_, inflation_->costs(cells_), X_OB_, footprint_.now(),
                     make_header(odom_frame_, stamp));
   }
@@ -117,6 +123,7 @@ class LocalCostmapComponent final : public Component {
   nav2_msgs::msg::Costmap costs(Time now) {
     OccupancyGrid cells = grid_->cells();
     map_.fill(cells);
+    keepout_.mark(cells, odom_frame_);
     return to_costmap(cells, inflation_->costs(cells), odom_frame_, swept_.value_or(now));
   }
 
@@ -143,6 +150,7 @@ class LocalCostmapComponent final : public Component {
   std::optional<Inflation> inflation_;
   OccupancyGrid cells_;
   MapBelow map_;
+  KeepoutMask keepout_;
   WaitingScans waiting_;
   std::optional<Time> swept_;  ///< stamp of the last sweep that was used
   Pose2 X_OB_;                 ///< at that time

@@ -1,6 +1,7 @@
 // Adaptor of the obstacle extraction: the map's walls near the robot, in odom.
 #include <nav_msgs/msg/occupancy_grid.hpp>
 
+#include "components/mapping/adaptor/keepout_mask.hpp"
 #include "components/mapping/obstacle_extraction.hpp"
 #include "components/messages/grid.hpp"
 #include "components/messages/obstacles.hpp"
@@ -35,6 +36,7 @@ class ObstaclesComponent final : public Component {
     obstacles_ = setup.output<bandwagon_msgs::msg::Obstacles>("obstacles");
     setup.input<nav_msgs::msg::OccupancyGrid>(
         "map", Qos::latched(), [this](const auto& message, const Tick&) { keep_map(message); });
+    keepout_.listen(setup, transforms_);
     setup.every(Duration::seconds(1.0 / options_.rate), "extract",
                 [this](const Tick& tick) { extract(tick.now); });
   }
@@ -49,14 +51,16 @@ class ObstaclesComponent final : public Component {
     }
   }
 
-  /// Silent until there is a map and a position in it: whoever reads obstacles watches their age.
+  /// Silent until there is a map and a position in it, and it is known where the keep-out zones are: whoever
+  /// reads obstacles watches their age.
   void extract(Time now) {
-    if (map_frame_.empty()) return;
+    if (map_frame_.empty() || !keepout_.fault(map_frame_).empty()) return;
     const std::optional<Pose2> X_OM = transforms_->lookup_planar(odom_frame_, map_frame_);
     const std::optional<Pose2> X_MB = transforms_->lookup_planar(map_frame_, base_frame_);
     if (!X_OM || !X_MB) return;
-    const ExtractionResult near = extract_obstacles(grid_, X_MB->position(), options_.extraction);
-    obstacles_.publish(to_message(near.obstacles, *X_OM, odom_frame_, now));
+    StaticObstacles near = extract_obstacles(grid_, X_MB->position(), options_.extraction).obstacles;
+    keepout_.add_to(near, X_MB->position(), map_frame_, options_.extraction);
+    obstacles_.publish(to_message(near, *X_OM, odom_frame_, now));
   }
 
   ObstaclesOptions options_;
@@ -65,6 +69,7 @@ class ObstaclesComponent final : public Component {
   std::string base_frame_;
   std::string map_frame_;  ///< empty until a usable map came
   OccupancyGrid grid_;
+  KeepoutMask keepout_;
   std::shared_ptr<const TransformTree> transforms_;
   Output<bandwagon_msgs::msg::Obstacles> obstacles_;
 };

@@ -44,7 +44,7 @@ struct PlannerWorld {
 inline void run_planner(const PlannerWorld& world, const std::function<void(Setup&)>& ask) {
   const std::string yaml =
       "ros_distro: " + world.distro +
-      "\ncomponents:\n  global_planner:\n  global_costmap: {namespace: global_costmap, remap: {map: /map}}\n" +
+      "\ncomponents:\n  global_planner:\n  global_costmap: {namespace: global_costmap, remap: {map: /map, keepout_filter_mask: /keepout_filter_mask}}\n" +
       world.more;
   run_with_script(yaml, world.seconds, [&](Setup& setup) {
     setup.output<bandwagon_msgs::msg::PlanRequest>("plan_request");  // somebody feeds it

@@ -55,11 +55,21 @@ LaserScan sweep_at(double t) {
   return scan;
 }
 
+/// A keep-out zone of 0.5 x 0.5 m where no beam looks: about (-1, -0.8) in odom, with the axes of map.
+const Vector2 kZone{-1.0, -0.8};
+OccupancyGrid zone_in_map() {
+  OccupancyGrid mask{
+      .resolution = 0.1, .origin = kX_MO * kZone - Vector2(0.25, 0.25), .width = 5, .height = 5};
+  mask.cells.assign(25, OccupancyGrid::kOccupied);
+  return mask;
+}
+
 struct Setting {
   std::string parameters;
   bool tracks = true;
   double confidence = 1.0;  ///< of the track
   bool odometry = true;
+  std::string mask_frame;  ///< of the keep-out zone, told at kFaultFrom; empty: there is none
   std::function<bool(LaserScan&)> fault = [](LaserScan&) {
     return true;
   };  ///< from kFaultFrom; false: no sweep
@@ -77,6 +87,7 @@ Seen run(const Setting& setting) {
                 [&setting, scan = setup.output<LaserScan>("scan", Qos::sensor()),
                  tracks = setup.output<bandwagon_msgs::msg::Tracks>("tracks"),
                  map = setup.output<nav_msgs::msg::OccupancyGrid>("map", Qos::latched()),
+                 mask = setup.output<nav_msgs::msg::OccupancyGrid>("keepout_filter_mask", Qos::latched()),
                  tf = setup.output<tf2_msgs::msg::TFMessage>("/tf", Qos::tf()),
                  tf_static = setup.output<tf2_msgs::msg::TFMessage>("/tf_static", Qos::latched())](
                     const Tick& tick) mutable {
@@ -91,6 +102,8 @@ Seen run(const Setting& setting) {
                     floor.cells[floor.index(floor.column_of(p.x()), floor.row_of(p.y()))] = 100;
                     map.publish(to_message(floor, "map", tick.now));
                   }
+                  if (!setting.mask_frame.empty() && std::abs(t - kFaultFrom) < 1e-3)
+                    mask.publish(to_message(zone_in_map(), setting.mask_frame, tick.now));
                   if (tick.sequence % 10 == 0) {
                     LaserScan sweep = sweep_at(t);
                     sweep.header().stamp(to_stamp(tick.now));
@@ -181,6 +194,36 @@ TEST(LocalCostmapComponent, TakesTheMapWhereNobodyLooked) {
   const Seen seen = run({.parameters = "use_map: true"});
   EXPECT_EQ(value_at(seen.costmaps.back(), {-3.0, 0.0}), 100);
   EXPECT_EQ(value_at(seen.costmaps.back(), {1.5, 1.43}), 100);
+}
+
+// The outline of the zone is half a cell within it: a square of 0.2 m around its middle, whether somebody has
+// seen that floor or not.
+TEST(LocalCostmapComponent, KeepOutZonesAreObstaclesAndCosts) {
+  const auto near_zone = [](const bandwagon_msgs::msg::Obstacles& message) {
+    double length = 0.0;
+    for (const auto& s : message.segments()) {
+      const Vector2 a(s.x1(), s.y1());
+      const Vector2 b(s.x2(), s.y2());
+      if ((a - kZone).norm() > 0.3 || (b - kZone).norm() > 0.3) continue;
+      length += (b - a).norm();
+      for (const Vector2& end : {a, b}) {
+        const Vector2 p = (rotate(kX_MO, end - kZone)).cwiseAbs();
+        EXPECT_NEAR(p.maxCoeff(), 0.2, 1e-3);
+      }
+    }
+    return length;
+  };
+  const Seen seen = run({.mask_frame = "map"});
+  EXPECT_EQ(near_zone(seen.obstacles.front()), 0.0);
+  EXPECT_NEAR(near_zone(seen.obstacles.back()), 4 * 0.4, 1e-3);
+  EXPECT_EQ(value_at(seen.costmaps.front(), kZone), -1);
+  EXPECT_EQ(value_at(seen.costmaps.back(), kZone), 100);
+  EXPECT_GE(seen.last(), 3.8);
+}
+
+// Where the zones are is not known: the robot is not driven.
+TEST(LocalCostmapComponent, FallsSilentWhileTheZonesCannotBePlaced) {
+  EXPECT_LT(run({.mask_frame = "elsewhere"}).last(), kFaultFrom + 1e-3);
 }
 
 // No word is better than an old one: the planner stops on obstacles that age.
