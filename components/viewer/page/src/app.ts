@@ -133,6 +133,8 @@ export interface Tool {
   name: string;
   /** Arrows that are drawn as long as the tool is set: waypoints that were dragged so far. */
   readonly placed?: readonly Pose2[];
+  /** A line that is drawn in place of the drag's arrow. */
+  readonly stroke?: readonly { x: number; y: number }[];
   onDrag(from: { x: number; y: number }, to: { x: number; y: number }, isReleased: boolean): void;
   onCancel(): void;
 }

@@ -3,10 +3,12 @@ import type { App } from "../app";
 import { create, setText } from "./dom";
 import { byNumbers } from "./hands/by_numbers";
 import type { HandsContext } from "./hands/context";
+import { Crop } from "./hands/crop";
 import { DriveControl } from "./hands/drive_control";
 import { Explore } from "./hands/explore";
 import { goalTool, sendGoal } from "./hands/goal";
 import { initialPoseTool, sendInitialPose } from "./hands/initial_pose";
+import { Keepout } from "./hands/keepout";
 import { PeopleTools } from "./hands/people";
 import { SaveMap } from "./hands/save_map";
 import { Teleop } from "./hands/teleop";
@@ -40,7 +42,7 @@ export function mountHands(root: HTMLElement, app: App): void {
     whyNot.hidden = app.hands.canCommand;
     setText(whyNot, app.hands.whyNot || "no robot is connected");
     if (!app.hands.canCommand && tools.some((tool) => tool.isTaken)) app.tool = undefined;
-    for (const part of [goal, pose, people, waypoints, control, teleop, explore, saveMap]) part.update();
+    for (const part of [goal, pose, people, waypoints, control, teleop, explore, keepout, crop, saveMap]) part.update();
   };
 
   const goal = goalTool(context, () => update());
@@ -49,13 +51,15 @@ export function mountHands(root: HTMLElement, app: App): void {
   const waypoints = new Waypoints(context, () => update());
   const teleop = new Teleop(context);
   const explore = new Explore(context);
-  const saveMap = new SaveMap(context);
+  const keepout = new Keepout(context, () => update());
+  const crop = new Crop(context, () => update());
+  const saveMap = new SaveMap(context, () => crop.part);
   const control = new DriveControl(
     context,
     () => waypoints.sent,
     () => (waypoints.sent = undefined),
   );
-  const tools = [goal, waypoints.tool, pose, people.add, people.push];
+  const tools = [goal, waypoints.tool, pose, people.add, people.push, keepout.draw, keepout.erase, crop.tool];
 
   const whyNot = create("p", { class: "why-not", role: "status", "data-test": "why-not" });
   const numbers = byNumbers({
@@ -71,6 +75,7 @@ export function mountHands(root: HTMLElement, app: App): void {
     control.root,
     teleop.root,
     explore.root,
+    crop.root,
     saveMap.root,
     numbers,
     said,

@@ -11,11 +11,12 @@ function connectionOf({ source, hands }: App): string {
 }
 
 function drawnBy({ layers, frames, isOn }: SceneOnPage) {
-  const { map, graph, people, candidates, band, laser, robot } = layers;
+  const { map, keepout, graph, people, candidates, band, laser, robot } = layers;
   const isShown = (id: string, object: { visible: boolean }) => object.visible && isOn.get(id) === true;
   return {
     map: isShown("map", map.object) ? map.cells : 0,
     bounds: map.bounds ?? null,
+    keepout: isShown("keepout", keepout.object) ? keepout.kept : 0,
     graph: isShown("graph", graph.object) ? { nodes: graph.nodes, loops: graph.loops } : null,
     people: isShown("people", people.object) ? people.positions() : [],
     bands: isShown("candidates", candidates.object) ? candidates.count : 0,

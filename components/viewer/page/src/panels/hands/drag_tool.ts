@@ -10,9 +10,12 @@ export interface DragTool {
   /** Stays in the hand after a drag. */
   isKept?: boolean;
   onRelease(from: Point, to: Point): void;
+  /** While it is dragged, too. `from` is the same object from press to release. */
+  onMove?(from: Point, to: Point): void;
   onTaken?(): void;
   onPut?(): void;
   placed?(): readonly Pose2[];
+  stroke?(): readonly Point[];
 }
 
 export class DragToolButton {
@@ -66,7 +69,11 @@ export class DragToolButton {
       get placed() {
         return outer.tool.placed?.() ?? [];
       },
+      get stroke() {
+        return outer.tool.stroke?.();
+      },
       onDrag(from: Point, to: Point, isReleased: boolean) {
+        outer.tool.onMove?.(from, to);
         if (!isReleased) return;
         if (!outer.tool.isKept) outer.put();
         outer.tool.onRelease(from, to);

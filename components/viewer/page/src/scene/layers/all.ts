@@ -5,7 +5,7 @@ import { ConesLayer } from "./cones";
 import { GoalLayer } from "./goal";
 import { GraphLayer } from "./graph";
 import { LaserLayer } from "./laser";
-import { CostmapLayer, MapLayer } from "./map";
+import { CostmapLayer, KeepoutLayer, MapLayer } from "./map";
 import { ParticlesLayer } from "./particles";
 import { PeopleLayer } from "./people";
 import { PlanLayer } from "./plan";
@@ -30,6 +30,7 @@ export function makeLayers(app: App) {
     zones: new ZonesLayer(),
     laser: new LaserLayer(),
     costmap: new CostmapLayer(),
+    keepout: new KeepoutLayer(),
     map: new MapLayer(),
     graph: new GraphLayer(),
     pose: new PoseLayer(),

@@ -87,6 +87,30 @@ export class MapLayer extends GridLayer {
   }
 }
 
+/** Where the robot may not be: the mask of Nav2's keepout filter. */
+export class KeepoutLayer extends GridLayer {
+  readonly id = "keepout";
+  readonly name = "Keep-out zones";
+  readonly legend: Legend = { shape: "area", colors: (palette) => [withOpacity(palette.zoneStopped, 0.5)] };
+  protected override readonly holdsFor = Infinity;
+  protected override readonly isHeld = true;
+  /** Cells that keep the robot out. */
+  kept = 0;
+
+  constructor() {
+    super("/keepout_filter_mask", 11);
+  }
+
+  protected override draw(value: OccupancyGrid, view: View): void {
+    super.draw(value, view);
+    this.kept = value.data.reduce((sum, cell) => sum + Number(cell >= 65), 0);
+  }
+
+  protected colors({ palette }: View): [Rgba, Rgba] {
+    return [withOpacity(palette.zoneStopped, 0), withOpacity(palette.zoneStopped, 0.5)];
+  }
+}
+
 export class CostmapLayer extends GridLayer {
   readonly id = "costmap";
   readonly name = "Local costmap";

@@ -12,7 +12,7 @@ interface At {
 
 const ARROW = 0.7; // [m] of a pose that was placed
 
-/** What the hand draws: the arrow under way, and those that the tool has placed. */
+/** What the hand draws: the arrow or line under way, and the arrows that the tool has placed. */
 export class ToolOverlay {
   readonly object = new Group();
   drag: { from: At; to: At } | undefined;
@@ -30,7 +30,8 @@ export class ToolOverlay {
       this.arrow({ x, y }, { x: x + ARROW * Math.cos(theta), y: y + ARROW * Math.sin(theta) }, palette);
       this.labels.add([x, y], `${i + 1}`, palette.text, palette.halo, -16);
     });
-    if (tool && this.drag) this.arrow(this.drag.from, this.drag.to, palette);
+    if (tool?.stroke) this.lines.strip(tool.stroke.map(({ x, y }) => [x, y] as const), palette.goal, 0, 3);
+    else if (tool && this.drag) this.arrow(this.drag.from, this.drag.to, palette);
     for (const part of [this.discs, this.lines, this.labels]) part.done();
   }
 
