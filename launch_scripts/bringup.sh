@@ -3,7 +3,7 @@
 #
 # Looks whether the program is built and the robot's ports can be opened (and says what to do), starts config/graphs/robot.yaml with
 # one process per `process:`, the base in one of its own, waits until everything is up, and prints the page's address. Ctrl-C brings
-# the robot to rest first, then ends all. --slam: makes the map while it drives. --emulate: emulators instead of devices, on a simulated floor.
+# the robot to rest first, then ends all. --map: with MAP_keepout.yaml beside it, if it is there. --slam: makes the map while it drives. --emulate: emulators instead of devices, on a simulated floor.
 # Exit status: 0 ended by Ctrl-C or by --for, 1 something is missing or failed, 2 wrong use. BANDWAGON_BRINGUP_SECONDS: longest wait (60).
 # BANDWAGON_PROGRAM: another program than build/release/bin/bandwagon.
 set -euo pipefail
@@ -64,6 +64,9 @@ if $slam; then
   settings+=(--set slam.enabled=true --set explore.enabled=true --set localization.enabled=false --set map_server.enabled=false)
 fi
 [[ -z $map ]] || settings+=(--set "map_server.map=$map")
+# Keep-out zones that somebody drew on the page are saved beside the map.
+zones=${map%.yaml}_keepout.yaml
+[[ -z $map || ! -f $zones ]] || settings+=(--set "keepout_filter_mask_server.map=$zones")
 [[ -z $map ]] || ! $emulated || settings+=(--set "world.map=$map")
 ! $emulated || settings+=(--set emulate=true)
 

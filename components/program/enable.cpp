@@ -9,8 +9,10 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "runtime/atomic_file.hpp"
 #include "runtime/cli/verb.hpp"
@@ -66,6 +68,16 @@ fs::path readable_map(const fs::path& map, const fs::path& root) {
   return path;
 }
 
+/// The map, and the keep-out zones that were saved beside it.
+std::vector<std::string> map_settings(const EnableOptions& options) {
+  if (options.map.empty()) return {};
+  const fs::path map = readable_map(options.map, options.root);
+  const fs::path zones = map.parent_path() / (map.stem().string() + "_keepout.yaml");
+  std::vector<std::string> settings = {"map_server.map=" + map.string()};
+  if (fs::exists(zones)) settings.push_back("keepout_filter_mask_server.map=" + zones.string());
+  return settings;
+}
+
 void refuse_without_driver(const ConfigNode& robot, const fs::path& file) {
   const ConfigNode* driver = find_dotted(robot, "base.driver");
   if (driver == nullptr || driver->scalar == "simulated" || driver->scalar == "none")
@@ -101,8 +113,8 @@ int enable(const EnableOptions& options) {
   const std::string name = name_of(robot);
   // Refused now and not at the next boot.
   std::vector<std::string> settings = {"robot=" + fs::absolute(robot).string()};
-  if (!options.map.empty())
-    settings.push_back("map_server.map=" + readable_map(options.map, options.root).string());
+  const std::vector<std::string> maps = map_settings(options);
+  settings.insert(settings.end(), maps.begin(), maps.end());
   const Graph graph = load_graph("robot", settings);
   refuse_without_driver(graph.shared.at("robot"), robot);
   const Host checked(graph, {});
@@ -113,8 +125,8 @@ int enable(const EnableOptions& options) {
     write_file_atomically(
         options_file,
         fmt::format("# Options of `bandwagon run` for this robot.\nBANDWAGON_OPTIONS=--set {}\n",
-                    settings.back()));
-    std::cout << "Options:     " << options_file.string() << " (" << settings.back() << ")\n";
+                    fmt::join(maps, " --set ")));
+    std::cout << "Options:     " << options_file.string() << fmt::format(" ({})\n", fmt::join(maps, ", "));
   } else if (!fs::exists(options_file)) {
     std::cout << "Options:     none; BANDWAGON_OPTIONS=... of `bandwagon run` go to " << options_file.string()
               << "\n"

@@ -105,10 +105,11 @@ refused_with("a driver that nobody has" "robot\\.base\\.driver = troley: unknown
 file(MAKE_DIRECTORY ${STAGE}/root ${STAGE}/maps)
 file(WRITE ${STAGE}/maps/room.pgm "P2\n2 2\n255\n254 254 254 254\n")
 file(WRITE ${STAGE}/maps/room.yaml "image: room.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.25\n")
+file(COPY_FILE ${STAGE}/maps/room.yaml ${STAGE}/maps/room_keepout.yaml)
 run("enabling a robot" ${STAGE}/prefix/bin/bandwagon enable kobuki --map ${STAGE}/maps/room.yaml --root ${STAGE}/root)
 file(READ ${STAGE}/root/etc/bandwagon/kobuki.options options)
-if(NOT options MATCHES "BANDWAGON_OPTIONS=--set map_server.map=${STAGE}/maps/room.yaml")
-  message(FATAL_ERROR "the robot's options lack the map:\n${options}")
+if(NOT options MATCHES "BANDWAGON_OPTIONS=--set map_server.map=${STAGE}/maps/room.yaml --set keepout_filter_mask_server.map=${STAGE}/maps/room_keepout.yaml")
+  message(FATAL_ERROR "the robot's options lack the map, or its keep-out zones:\n${options}")
 endif()
 if(NOT EXISTS ${STAGE}/root/etc/bandwagon/robots/kobuki.yaml OR
    NOT IS_SYMLINK ${STAGE}/root/etc/systemd/system/multi-user.target.wants/bandwagon@kobuki.service)
