@@ -3,8 +3,8 @@
 // when this ends.
 #pragma once
 
+#include "runtime/domain_lease.hpp"
 #include "runtime/temporary_folder.hpp"
-#include "tests/domain_lease.hpp"
 
 namespace bw::test {
 

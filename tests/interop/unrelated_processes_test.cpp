@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/domain_lease.hpp"
+#include "runtime/domain_lease.hpp"
 #include "tests/interop/eventually.hpp"
 #include "tests/interop/process.hpp"
 #include "tests/shared_memory.hpp"

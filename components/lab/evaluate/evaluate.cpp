@@ -14,7 +14,6 @@
 #include "components/lab/evaluate/suite_report.hpp"
 #include "components/lab/failures/failure_album.hpp"
 #include "components/lab/report/report_page.hpp"
-#include "components/lab/shards/domain_lease.hpp"
 #include "components/lab/shards/graph_text.hpp"
 #include "components/program/drive.hpp"
 #include "components/program/drive_page/drive_page.hpp"
@@ -316,7 +315,6 @@ int evaluate(const EvaluateOptions& options) {
   cli::catch_interrupts();
   if (options.jobs > 1) return evaluate_in_shards(options, all.size(), made);
 
-  const DomainLease domain;
   std::size_t driven = 0;
   write_json(options.json, results, jobs.size(), made);
   std::optional<FailureAlbum> album;

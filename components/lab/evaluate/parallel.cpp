@@ -1,14 +1,13 @@
 #include "components/lab/evaluate/parallel.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "components/lab/shards/child_pool.hpp"
+#include "runtime/child_process.hpp"
 #include "runtime/cli/signals.hpp"
 
 namespace bw {
@@ -50,13 +49,6 @@ bool is_done(const std::filesystem::path& file, const Provenance& made) {
   } catch (const std::exception&) {
     return false;
   }
-}
-
-std::string last_words(const std::filesystem::path& log) {
-  constexpr std::size_t kMax = 500;
-  std::ifstream in(log);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  return text.substr(text.size() - std::min(text.size(), kMax));
 }
 
 }  // namespace

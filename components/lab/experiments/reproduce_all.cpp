@@ -6,11 +6,12 @@
 #include <fmt/format.h>
 
 #include "components/lab/experiments/all_report.hpp"
-#include "components/lab/shards/child_pool.hpp"
 #include "components/lab/experiments/reproduce_report.hpp"
 #include "components/lab/report/report_page.hpp"
+#include "components/lab/shards/child_pool.hpp"
 #include "runtime/atomic_file.hpp"
 #include "runtime/build_identity.hpp"
+#include "runtime/child_process.hpp"
 #include "runtime/cli/signals.hpp"
 
 namespace bw {

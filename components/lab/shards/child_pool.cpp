@@ -1,21 +1,16 @@
 #include "components/lab/shards/child_pool.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <chrono>
 #include <csignal>
-#include <cstring>
 #include <fstream>
 #include <iterator>
-#include <stdexcept>
+#include <memory>
+#include <optional>
 #include <thread>
 
-#include <fcntl.h>
-#include <fmt/format.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include "runtime/child_process.hpp"
 
 namespace bw {
 namespace {
@@ -31,42 +26,17 @@ enum class State { waiting, running, ended };
 
 struct Child {
   State state = State::waiting;
-  pid_t id = -1;
+  std::unique_ptr<ChildProcess> process;
   int status = -1;
 };
 
-/// In the child: only calls that are allowed between fork and exec.
-[[noreturn]] void become(char* const* arguments, int log, pid_t parent) {
-  prctl(PR_SET_PDEATHSIG, SIGTERM);
-  if (getppid() != parent) _exit(127);  // it has gone already
-  dup2(log, STDOUT_FILENO);
-  dup2(log, STDERR_FILENO);
-  execv(arguments[0], arguments);
-  _exit(127);
-}
-
-pid_t start(const ChildJob& job) {
-  std::filesystem::create_directories(job.log.parent_path());
-  const int log = open(job.log.c_str(), O_CREAT | O_WRONLY | O_TRUNC | O_CLOEXEC, 0644);
-  if (log < 0) throw std::runtime_error(job.log.string() + ": " + std::strerror(errno));
-  std::vector<std::string> command = job.command;
-  std::vector<char*> arguments;
-  for (std::string& argument : command) arguments.push_back(argument.data());
-  arguments.push_back(nullptr);
-  const pid_t parent = getpid();
-  const pid_t id = fork();
-  if (id == 0) become(arguments.data(), log, parent);
-  close(log);
-  if (id < 0) throw std::runtime_error(job.name + ": " + std::strerror(errno));
-  return id;
-}
-
 /// True when it has ended now.
 bool look_after(Child& child) {
-  int status = 0;
-  if (child.state != State::running || waitpid(child.id, &status, WNOHANG) != child.id) return false;
+  if (child.state != State::running) return false;
+  const std::optional<int> status = child.process->status();
+  if (!status) return false;
   child.state = State::ended;
-  child.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  child.status = *status;
   return true;
 }
 
@@ -89,7 +59,8 @@ class Pool {
       const bool is_ready = std::ranges::all_of(
           jobs_[i].after, [&](std::size_t j) { return children_[j].state == State::ended; });
       if (!is_ready) continue;
-      children_[i].id = start(jobs_[i]);
+      children_[i].process = std::make_unique<ChildProcess>(
+          ChildProcessOptions{.command = jobs_[i].command, .log = jobs_[i].log});
       children_[i].state = State::running;
     }
   }
@@ -104,7 +75,7 @@ class Pool {
 
   void signal(int number) const {
     for (const Child& child : children_)
-      if (child.state == State::running) kill(child.id, number);
+      if (child.state == State::running) child.process->signal(number);
   }
   void wait_for_all(Clock::time_point limit) {
     while (running() > 0 && Clock::now() < limit) {
@@ -147,13 +118,6 @@ class Pool {
 };
 
 }  // namespace
-
-std::string status_in_words(int status) {
-  constexpr int kSignalled = 128;
-  if (status < 0) return "was not started";
-  if (status <= kSignalled) return fmt::format("ended with status {}", status);
-  return fmt::format("was killed by signal {} ({})", status - kSignalled, sigdescr_np(status - kSignalled));
-}
 
 double told_share(const std::string& text) {
   for (std::size_t at = text.rfind('['); at != std::string::npos;

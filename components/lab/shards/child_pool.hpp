@@ -34,9 +34,6 @@ std::vector<int> run_children(const std::vector<ChildJob>& jobs, int at_once,
                               const std::function<bool()>& is_interrupted,
                               const std::function<void(const ChildProgress&)>& progress);
 
-/// Of a status that run_children gives: "ended with status 3", "was killed by signal 6 (Aborted)".
-std::string status_in_words(int status);
-
 /// The share that the last line "[3/20] ..." of a text tells: 0.15; 0 without one.
 double told_share(const std::string& text);
 

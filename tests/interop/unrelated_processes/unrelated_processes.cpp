@@ -15,7 +15,7 @@
 #include <sys/socket.h>
 
 #include "runtime/dds/fast_dds.hpp"
-#include "tests/domain_lease.hpp"
+#include "runtime/domain_lease.hpp"
 #include "tests/interop/plain/octets_type.hpp"
 
 namespace {
@@ -99,8 +99,7 @@ int main(int count_of_arguments, char** arguments) {
   try {
     std::list<ForeignParticipant> participants;
     {
-      std::list<bw::test::DomainLease>
-          leases;  // so that they come to no test; participants know nothing of leases
+      std::list<bw::DomainLease> leases;  // so that they come to no test; participants know nothing of leases
       for (int i = 0; i < count; ++i) participants.emplace_back(leases.emplace_back().domain());
       hold_the_port_of_a_page();
       for (const auto& lease : leases) std::cout << lease.domain() << " ";

@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 
+#include "runtime/child_process.hpp"
 #include "tests/folder.hpp"
 
 namespace bw {

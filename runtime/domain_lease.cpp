@@ -1,4 +1,4 @@
-#include "tests/domain_lease.hpp"
+#include "runtime/domain_lease.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -9,7 +9,7 @@
 #include <sys/un.h>
 #include <unistd.h>
 
-namespace bw::test {
+namespace bw {
 namespace {
 
 constexpr int kPortBase = 7400;
@@ -64,9 +64,9 @@ DomainLease::DomainLease(const std::string& name) {
     if (!domains_in_use().contains(domain_)) return;
     close(socket_);
   }
-  throw std::runtime_error("no DDS domain is free: each from 1 to 100 is leased by a test or has open ports");
+  throw std::runtime_error("no DDS domain is free: each from 1 to 100 is leased or has open ports");
 }
 
 DomainLease::~DomainLease() { close(socket_); }
 
-}  // namespace bw::test
+}  // namespace bw
