@@ -6,7 +6,7 @@
 #include <std_msgs/msg/bool.hpp>
 #include <termios.h>
 
-#include "runtime/cli/typed_topic.hpp"
+#include "runtime/ros/typed_topic.hpp"
 #include "tests/interop/on_terminal.hpp"
 #include "tests/interop/process.hpp"
 
@@ -54,11 +54,10 @@ class Teleop : public testing::Test {
   }
 
   dds::Participant participant_{local()};
-  cli::TopicReader<Twist> commands_{participant_, "/robot1/cmd_vel_teleop", Qos::standard(1000)};
-  cli::TopicReader<std_msgs::msg::Bool> emergency_{participant_, "/robot1/emergency_stop", Qos::standard()};
-  cli::TopicWriter<bandwagon_msgs::msg::BaseState> state_{participant_, "/robot1/base_state",
-                                                          Qos::standard()};
-  cli::TopicWriter<nav_msgs::msg::Odometry> odometry_{participant_, "/robot1/odom", Qos::standard()};
+  TopicReader<Twist> commands_{participant_, "/robot1/cmd_vel_teleop", Qos::standard(1000)};
+  TopicReader<std_msgs::msg::Bool> emergency_{participant_, "/robot1/emergency_stop", Qos::standard()};
+  TopicWriter<bandwagon_msgs::msg::BaseState> state_{participant_, "/robot1/base_state", Qos::standard()};
+  TopicWriter<nav_msgs::msg::Odometry> odometry_{participant_, "/robot1/odom", Qos::standard()};
   OnTerminal terminal_{{"teleop", "--v", "0.4", "--omega", "1.0", "--namespace", "robot1"}};
   std::vector<Twist> heard_;
 };

@@ -16,7 +16,7 @@
 #include "components/robot_base/calibration/measured_motion.hpp"
 #include "runtime/base/pose2.hpp"
 #include "runtime/base/time.hpp"
-#include "runtime/cli/typed_topic.hpp"
+#include "runtime/ros/typed_topic.hpp"
 
 namespace bw {
 
@@ -47,11 +47,11 @@ class RobotFront {
   void hear_base();
 
   dds::Participant participant_;
-  cli::TopicWriter<geometry_msgs::msg::Twist> commands_;
-  cli::TopicReader<nav_msgs::msg::Odometry> odometry_;
-  cli::TopicReader<sensor_msgs::msg::JointState> joints_;
-  cli::TopicReader<bandwagon_msgs::msg::BaseState> states_;
-  std::optional<cli::TopicReader<geometry_msgs::msg::PoseWithCovarianceStamped>> poses_;
+  TopicWriter<geometry_msgs::msg::Twist> commands_;
+  TopicReader<nav_msgs::msg::Odometry> odometry_;
+  TopicReader<sensor_msgs::msg::JointState> joints_;
+  TopicReader<bandwagon_msgs::msg::BaseState> states_;
+  std::optional<TopicReader<geometry_msgs::msg::PoseWithCovarianceStamped>> poses_;
   Pose2 X_OB_;
   Twist2 twist_;
   WheelRotations angles_;

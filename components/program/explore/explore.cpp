@@ -9,10 +9,10 @@
 #include <std_msgs/msg/string.hpp>
 
 #include "runtime/cli/signals.hpp"
-#include "runtime/cli/typed_topic.hpp"
 #include "runtime/cli/verb.hpp"
 #include "runtime/graph/names.hpp"
 #include "runtime/ros/notifier.hpp"
+#include "runtime/ros/typed_topic.hpp"
 
 namespace bw {
 namespace {
@@ -75,8 +75,8 @@ class Exploring {
 
   Notifier notifier_;
   dds::Participant participant_;
-  cli::TopicWriter<std_msgs::msg::Bool> resume_;
-  cli::TopicReader<std_msgs::msg::String> status_;
+  TopicWriter<std_msgs::msg::Bool> resume_;
+  TopicReader<std_msgs::msg::String> status_;
   std::string last_;
 };
 

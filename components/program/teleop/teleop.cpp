@@ -17,11 +17,11 @@
 #include "components/program/teleop/robot_in_words.hpp"
 #include "runtime/cli/signals.hpp"
 #include "runtime/cli/terminal.hpp"
-#include "runtime/cli/typed_topic.hpp"
 #include "runtime/cli/verb.hpp"
 #include "runtime/graph/names.hpp"
 #include "runtime/host/statistics.hpp"
 #include "runtime/ros/service_call.hpp"
+#include "runtime/ros/typed_topic.hpp"
 
 namespace bw {
 namespace {
@@ -241,11 +241,11 @@ class Teleop {
 
   DeadMan hand_;
   dds::Participant participant_;
-  cli::TopicWriter<geometry_msgs::msg::Twist> commands_;
-  cli::TopicWriter<std_msgs::msg::Bool> emergency_;
-  cli::TopicReader<nav_msgs::msg::Odometry> odometry_;
-  cli::TopicReader<bandwagon_msgs::msg::BaseState> state_;
-  cli::TopicReader<std_msgs::msg::Bool> override_;
+  TopicWriter<geometry_msgs::msg::Twist> commands_;
+  TopicWriter<std_msgs::msg::Bool> emergency_;
+  TopicReader<nav_msgs::msg::Odometry> odometry_;
+  TopicReader<bandwagon_msgs::msg::BaseState> state_;
+  TopicReader<std_msgs::msg::Bool> override_;
   ServiceCaller release_;
   Twist2 sent_;
   Time sent_at_;

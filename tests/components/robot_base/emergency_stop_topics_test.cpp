@@ -18,9 +18,9 @@
 #include <std_srvs/srv/trigger.hpp>
 
 #include "components/robot_base/adaptor/emergency_stop_file.hpp"
-#include "runtime/cli/typed_topic.hpp"
 #include "runtime/parameters/yaml_file.hpp"
 #include "runtime/ros/service_call.hpp"
+#include "runtime/ros/typed_topic.hpp"
 #include "tests/components/component_rig.hpp"
 #include "tests/interop/eventually.hpp"
 #include "tests/interop/process.hpp"
@@ -225,7 +225,7 @@ TEST(EmergencyStopFile, GivesBackWhatItWasGiven) {
 /// user's state.
 class EmergencyStopRestart : public testing::Test {
  protected:
-  using Buttons = cli::TopicWriter<Bool>;
+  using Buttons = TopicWriter<Bool>;
 
   void SetUp() override { std::filesystem::remove_all(folder_); }
   void TearDown() override { stop(); }
@@ -284,7 +284,7 @@ class EmergencyStopRestart : public testing::Test {
   const std::filesystem::path file_ = folder_ / (std::string("domain_") + std::getenv("ROS_DOMAIN_ID")) /
                                       "robot_base" / "emergency_stop.yaml";
   dds::Participant participant_{{.network = dds::Network::from_environment(dds::Transport::localhost)}};
-  cli::TopicReader<BaseState> states_{participant_, "/base_state"};
+  TopicReader<BaseState> states_{participant_, "/base_state"};
   std::unique_ptr<Host> host_;
   std::thread thread_;
 };

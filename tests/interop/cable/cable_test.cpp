@@ -18,8 +18,8 @@
 #include <gtest/gtest.h>
 #include <std_srvs/srv/trigger.hpp>
 
-#include "runtime/cli/typed_topic.hpp"
 #include "runtime/ros/service_call.hpp"
+#include "runtime/ros/typed_topic.hpp"
 #include "runtime/serial/emulator_path.hpp"
 #include "tests/folder.hpp"
 #include "tests/interop/cable/commands_on_wire.hpp"
@@ -139,9 +139,9 @@ class BehindACable : public testing::TestWithParam<Model> {
   Process host_{{BANDWAGON_PROGRAM, "run", graph("host"), "--stay", "--set", robot(), "--set",
                  "robot.base.port=" + (folder_ / "cable").string()}};
   dds::Participant participant_{local()};
-  cli::TopicWriter<Twist> commands_{participant_, "/cmd_vel", Qos::command()};
-  cli::TopicReader<BaseState> states_{participant_, "/base_state", Qos::standard(100)};
-  cli::TopicReader<GroundTruth> truths_{participant_, "/sim/ground_truth", Qos::standard(100)};
+  TopicWriter<Twist> commands_{participant_, "/cmd_vel", Qos::command()};
+  TopicReader<BaseState> states_{participant_, "/base_state", Qos::standard(100)};
+  TopicReader<GroundTruth> truths_{participant_, "/sim/ground_truth", Qos::standard(100)};
   std::unique_ptr<WireReader> wire_ = std::make_unique<KobukiWire>();
   std::mt19937 random_{7};
   Clock::time_point commanded_, heard_;

@@ -1,4 +1,4 @@
-// Ends of topics by their message types, for programs that look at a robot from outside.
+// Ends of topics by their message types, for programs that are no component of a graph.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@
 #include "runtime/ros/dds_names.hpp"
 #include "runtime/wire/serialization.hpp"
 
-namespace bw::cli {
+namespace bw {
 
 template <class M>
 dds::EndpointOptions typed_end(const std::string& topic, const Qos& qos) {
@@ -20,7 +20,8 @@ dds::EndpointOptions typed_end(const std::string& topic, const Qos& qos) {
   return {.topic = dds_topic(topic),
           .type = std::string(Traits::dds_name),
           .qos = qos,
-          .user_data = user_data_of(std::string(Traits::type_hash))};
+          .user_data = user_data_of(std::string(Traits::type_hash)),
+          .heartbeat = dds::kPromptHeartbeat};
 }
 
 template <class M>
@@ -71,4 +72,4 @@ class TopicReader {
   dds::Sample sample_;
 };
 
-}  // namespace bw::cli
+}  // namespace bw
