@@ -46,7 +46,8 @@ Graph graph_of(const EvaluateOptions& options, const Suite& suite, const Job& jo
 /// With the variant that it drove under.
 std::string planner_of(const nlohmann::json& card, const Job& job) {
   const nlohmann::json& planner = card["planner"];
-  const std::string name = planner.is_object() ? planner.value("name", job.planner) : job.planner;
+  const std::string name =
+      job.planner.empty() && planner.is_object() ? planner.value("name", "") : job.planner;
   return job.variant.empty() ? name : name + " " + job.variant;
 }
 
@@ -64,6 +65,7 @@ std::string file_stem(const EvaluateOptions& options, const Suite& suite, const 
   });
   const std::string before = options.suites.size() == 1 || is_said ? "" : name;
   std::string planner = job.planner.empty() ? "" : "_" + job.planner;
+  std::ranges::replace(planner, '/', '_');  // of a program
   if (!job.variant.empty()) planner += "_" + job.variant;
   return fmt::format("{}{}{}_seed{}", before, episode_name(suite, job), planner, job.seed);
 }
@@ -107,9 +109,15 @@ EpisodeResult drive_job(const EvaluateOptions& options, const Suite& suite, cons
   settings.contacts = true;
   if (!options.svg_dir.empty())
     settings.svg = std::filesystem::path(options.svg_dir) / (file_stem(options, suite, job) + ".svg");
-  const DriveResult driven = drive(graph_of(options, suite, job), settings);
+  DriveResult driven;
+  try {
+    driven = drive(graph_of(options, suite, job), settings);
+  } catch (const RunFailed& failure) {
+    driven.json = {{"reached", false}, {"reason", failure.what()}, {kRunFailed, true}, {"planner", nullptr}};
+  }
   const nlohmann::json& card = driven.json;
   EpisodeResult result{episode_name(suite, job), job.seed, planner_of(card, job), card};
+  if (result.run_failed()) return result;
   if (album != nullptr && !result.succeeded() && !cli::interrupted()) picture_failure(*album, result, driven);
   if (!options.html_dir.empty() && !result.succeeded() && !cli::interrupted())
     result.page = page_of(options, suite, job, settings, card.value("samples_sha256", ""));
@@ -190,6 +198,12 @@ bool enough_succeeded(const Report& report, double share) {
   });
 }
 
+bool any_run_failed(const std::vector<SuiteResult>& results) {
+  return std::ranges::any_of(results, [](const SuiteResult& result) {
+    return std::ranges::any_of(result.episodes, &EpisodeResult::run_failed);
+  });
+}
+
 /// Failures, rates, means and pairs, of each suite and of all.
 std::string report_in_words(const std::vector<SuiteResult>& results, const Report& report) {
   std::string out = in_words(results, report.planners);
@@ -208,7 +222,7 @@ int conclude(const EvaluateOptions& options, const std::vector<SuiteResult>& res
   const Report report = report_of(results, options.against);
   std::cout << report_in_words(results, report);
   write_json(options.json, results, planned, made, &report);
-  return enough_succeeded(report, options.at_least) ? 0 : 1;
+  return enough_succeeded(report, options.at_least) && !any_run_failed(results) ? 0 : 1;
 }
 
 /// Files of earlier evaluations under one label.
@@ -338,7 +352,7 @@ void add_evaluate(cli::Verb verb) {
   auto options = std::make_shared<EvaluateOptions>();
   verb.option("SUITE", options->suites, "Suite files");
   verb.option("--planners", options->planners,
-              "Algorithms of local_planner, separated by commas; default: the graph's own")
+              "Algorithms of local_planner, or programs that plan (a path with a slash), separated by commas; default: the graph's own")
       .separated_by_commas();
   verb.option("--seeds", options->seeds, "A..B instead of the suite's seeds");
   verb.option("--episode", options->only_episode, "Only the episode of this name");

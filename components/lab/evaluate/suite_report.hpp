@@ -20,6 +20,10 @@ namespace bw {
 /// Of a score card.
 bool is_success(const nlohmann::json& card);
 
+/// On the card of a drive that ended by a mistake of the program or of a planner process, and was not judged: it counts
+/// as failed, and as the exit status 1.
+inline constexpr const char* kRunFailed = "run_failed";
+
 /// One drive: name, seed, planner (and the condition it drove under), and its score card
 /// (score_card_json.hpp).
 struct EpisodeResult {
@@ -30,6 +34,7 @@ struct EpisodeResult {
   std::string page = {};  ///< file that plays the drive; empty: none
 
   bool succeeded() const { return bw::is_success(card); }
+  bool run_failed() const { return card.value(kRunFailed, false); }
   /// It failed, and success was impossible for people who walk as they did (possible/theory.md 8.10).
   bool is_excused() const { return !succeeded() && !card.value("possible", true); }
 };
