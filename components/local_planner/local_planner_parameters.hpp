@@ -27,7 +27,12 @@ struct LocalPlannerParameters {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("algorithm", algorithm, {.choices = planner_names(), .first = true, .doc = "local planner in use"});
+    v("algorithm", algorithm,
+      {.choices = planner_names(),
+       .path = true,
+       .rule = planner_program_fault,
+       .first = true,
+       .doc = "local planner in use; a path: a program that plans"});
     v("controller_frequency", controller_frequency,
       {.unit = "Hz", .min = 1, .max = 100, .doc = "planning cycles per second"});
     v("command_lead", command_lead,

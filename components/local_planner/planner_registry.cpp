@@ -1,5 +1,6 @@
 #include "components/local_planner/planner_registry.hpp"
 
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -9,6 +10,7 @@ namespace {
 struct Registry {
   std::map<std::string, PlannerMaker, std::less<>> planners;
   PlannerSections sections;
+  std::optional<PlannerPrograms> programs;
 };
 
 // Built when the first planner asks for it: planners register before main(), in no fixed order.
@@ -40,6 +42,16 @@ const AnyOptions& PlannerOptions::at(std::string_view section) const {
   return found->second;
 }
 
+bool register_planner_programs(const PlannerPrograms& programs) {
+  registry().programs = programs;
+  return true;
+}
+
+std::string planner_program_fault(std::string_view name) {
+  if (!is_planner_program(name)) return "";
+  return registry().programs ? registry().programs->fault_of(name) : "planner processes are not started here";
+}
+
 std::vector<std::string_view> planner_names() {
   std::vector<std::string_view> names;
   for (const auto& [name, make] : registry().planners) names.push_back(name);
@@ -47,6 +59,11 @@ std::vector<std::string_view> planner_names() {
 }
 
 std::unique_ptr<LocalPlanner> make_planner(std::string_view name, const PlannerOptions& options) {
+  if (is_planner_program(name)) {
+    const std::string fault = planner_program_fault(name);
+    if (!fault.empty()) throw std::runtime_error(std::string(name) + ": " + fault);
+    return registry().programs->make(name, options.driving);
+  }
   const auto& planners = registry().planners;
   if (const auto found = planners.find(name); found != planners.end()) return found->second(options);
   std::string known;

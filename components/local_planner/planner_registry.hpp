@@ -75,10 +75,29 @@ bool register_planner_type(std::string_view name) {
   });
 }
 
+/// Planners that are no class but a program of its own, named by a path ("./follower.py"): whoever can start such
+/// processes says how.
+struct PlannerPrograms {
+  std::string (*fault_of)(std::string_view path);  ///< why it cannot be started; empty: it can
+  std::unique_ptr<LocalPlanner> (*make)(std::string_view path, const DrivingOptions& driving);
+};
+bool register_planner_programs(const PlannerPrograms& programs);
+
+/// The path of a program, and no name: it has a slash.
+inline bool is_planner_program(std::string_view name) { return name.find('/') != std::string_view::npos; }
+
+/// What messages call it: the name, or of a program its file's, wherever that lies.
+inline std::string planner_label(std::string_view name) {
+  return std::string(name.substr(name.rfind('/') + 1));
+}
+
+/// Why such a program cannot be started, or nobody here starts any; empty where it can, and for a name.
+std::string planner_program_fault(std::string_view name);
+
 /// As the parameter `algorithm` knows them, sorted; the texts live as long as the program.
 std::vector<std::string_view> planner_names();
 
-/// Throws std::runtime_error naming the known planners when `name` is none of them.
+/// Throws std::runtime_error naming the known planners when `name` is none of them, and no program that can be started.
 std::unique_ptr<LocalPlanner> make_planner(std::string_view name, const PlannerOptions& options);
 
 }  // namespace bw

@@ -1,6 +1,7 @@
 #include "components/messages/tracks.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -54,6 +55,31 @@ std::vector<Mover> to_movers(const bandwagon_msgs::msg::Tracks& message, const P
   for (const auto& track : message.tracks())
     movers.push_back(advanced(to_mover(track, X_OF), std::max(0.0, age)));
   return movers;
+}
+
+bandwagon_msgs::msg::Tracks to_message(const std::vector<Mover>& movers, const std::string& frame, Time now) {
+  bandwagon_msgs::msg::Tracks message;
+  message.header(make_header(frame, now));
+  for (const Mover& mover : movers) {
+    bandwagon_msgs::msg::Track track;
+    track.id(mover.id);
+    track.position(to_point(mover.position));
+    track.velocity(to_vector3(mover.velocity));
+    track.radius(mover.radius);
+    track.confidence(mover.confidence);
+    for (const PredictedPosition& prediction : mover.predictions) {
+      bandwagon_msgs::msg::PredictedPosition p;
+      p.time_from_start(to_message(Duration::seconds(prediction.time)));
+      p.x(prediction.position.x());
+      p.y(prediction.position.y());
+      p.cov_xx(prediction.covariance(0, 0));
+      p.cov_xy(prediction.covariance(0, 1));
+      p.cov_yy(prediction.covariance(1, 1));
+      track.predictions().push_back(p);
+    }
+    message.tracks().push_back(std::move(track));
+  }
+  return message;
 }
 
 }  // namespace bw

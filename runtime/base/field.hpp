@@ -46,9 +46,10 @@ struct Field {
   std::string_view unit = {};                             ///< SI unit, empty when dimensionless
   double min = -std::numeric_limits<double>::infinity();  ///< smallest allowed number, inclusive
   double max = std::numeric_limits<double>::infinity();   ///< largest allowed number, inclusive
-  bool infinity = false;      ///< .inf and -.inf are numbers here, as far as min and max allow
-  Texts choices = {};         ///< allowed texts of a string; empty: any
-  bool path = false;          ///< a file, read as relative to the YAML that names it
+  bool infinity = false;  ///< .inf and -.inf are numbers here, as far as min and max allow
+  Texts choices = {};     ///< allowed texts of a string; empty: any
+  /// a file, read as relative to the YAML that names it; beside choices a text with a slash is one
+  bool path = false;
   bool list_as_text = false;  ///< a list in YAML does as well: its text, "[[1, 2], [3, 4]]"
   std::string (*rule)(std::string_view text) = nullptr;  ///< why a text is refused; empty: it is not
   bool first = false;                                    ///< among the few that people turn first

@@ -148,7 +148,8 @@ std::string text_of_list(const ConfigNode& node) {
 
 void read_string(const ConfigNode& node, const std::string& key, const Field& field, std::string& value,
                  std::vector<Violation>& violations) {
-  if (!field.choices.empty()) {
+  const bool is_file_beside = field.path && node.is_scalar() && node.scalar.find('/') != std::string::npos;
+  if (!field.choices.empty() && !is_file_beside) {
     if (read_choice(node, key, field.choices.all(), violations) != nullptr) value = node.scalar;
     return;
   }
@@ -164,6 +165,7 @@ void read_string(const ConfigNode& node, const std::string& key, const Field& fi
   value = is_list                              ? text_of_list(node)
           : field.path && !node.scalar.empty() ? resolve_path(node.where, node.scalar).string()
                                                : node.scalar;
+  if (is_file_beside) value = std::filesystem::absolute(value).string();  // none of the choices looks like it
   if (field.rule == nullptr) return;
   if (std::string why = field.rule(value); !why.empty())
     violations.push_back({node.where, key, node.text(), std::move(why)});

@@ -71,7 +71,7 @@ void LocalPlannerComponent::publish_status(const Tick& tick, const PlanningResul
 void LocalPlannerComponent::publish_cycle(const Tick& tick, const PlanningResult& result, bool idle) {
   bandwagon_msgs::msg::PlannerCycle cycle = watch_->message(result, idle);
   cycle.header(make_header(inputs_.odom_frame(), tick.now));
-  cycle.planner(parameters_.algorithm);
+  cycle.planner(planner_label(parameters_.algorithm));
   cycle_.publish(cycle);
 }
 

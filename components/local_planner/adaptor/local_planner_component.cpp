@@ -36,7 +36,7 @@ void LocalPlannerComponent::configure(Setup& setup) {
                  static_cast<int>(parameters_.max_iterations), !setup.is_lockstep());
   log_ = setup.log();
   diagnostics_ = &setup.diagnostics();
-  diagnostics_->set_value("planner", parameters_.algorithm);
+  diagnostics_->set_value("planner", planner_label(parameters_.algorithm));
   inputs_.listen(setup, robot_);
   base_.listen(setup);
   setup.input<bandwagon_msgs::msg::FollowRequest>(
