@@ -64,7 +64,8 @@ install(FILES ${CMAKE_BINARY_DIR}/package.xml DESTINATION ${data} COMPONENT dev)
 file(WRITE ${CMAKE_BINARY_DIR}/ament_index/bandwagon "")
 install(FILES ${CMAKE_BINARY_DIR}/ament_index/bandwagon
   DESTINATION ${CMAKE_INSTALL_DATADIR}/ament_index/resource_index/packages COMPONENT dev)
-install(DIRECTORY tests/examples DESTINATION ${data} COMPONENT dev PATTERN package_test.cmake EXCLUDE)
+install(DIRECTORY tests/examples DESTINATION ${data} COMPONENT dev USE_SOURCE_PERMISSIONS PATTERN package_test.cmake EXCLUDE
+  PATTERN __pycache__ EXCLUDE)
 
 # A robot at boot: `bandwagon enable`.
 configure_file(cmake/bandwagon@.service.in ${CMAKE_BINARY_DIR}/bandwagon@.service @ONLY)

@@ -65,7 +65,18 @@ if(NOT planner STREQUAL "pure_pursuit" OR cycles LESS 200 OR NOT reached)
   message(FATAL_ERROR "reached ${reached} by ${planner} in ${cycles} cycles, expected pure_pursuit in more than 20 s at 10 Hz")
 endif()
 
-# Its parameters are listed and read as strictly as all others.
+# So do those that are processes of their own; the one in Python as it was installed, where there are its tools.
+set(processes ${project}/build/follower)
+find_program(IDLC idlc)
+if(IDLC)
+  list(APPEND processes ${STAGE}/prefix/share/bandwagon/examples/planner_process/follower.py)
+endif()
+foreach(process ${processes})
+  run("driving by ${process}" ${CMAKE_COMMAND} -E env XDG_CACHE_HOME=${STAGE}/cache
+    ${STAGE}/prefix/bin/bandwagon run ${graphs}/hallway.yaml --set local_planner.algorithm=${process} --clock lockstep --seed 7 --for 120)
+endforeach()
+
+# The planner's parameters are listed and read as strictly as all others.
 execute_process(COMMAND ${STAGE}/prefix/bin/bandwagon param list ${with_planner} local_planner OUTPUT_VARIABLE listed)
 if(NOT listed MATCHES "pure_pursuit\\.lookahead \\(double, m; 0\\.2 to 10; default 1\\.0\\): aims at the plan this far ahead")
   message(FATAL_ERROR "param list does not show the planner's own parameters:\n${listed}")

@@ -1,6 +1,8 @@
 // A planner that this tree does not know: registered by name, with parameters of its own.
 #include "components/local_planner/planner_registry.hpp"
 
+#include <filesystem>
+#include <memory>
 #include <stdexcept>
 #include <typeinfo>
 
@@ -129,6 +131,23 @@ TEST(PlannerRegistry, ListsAndWritesItsParameters) {
                                    "circler.wheel.grip double 0.5 0.5"));
   EXPECT_THAT(to_yaml(p), testing::HasSubstr("circler:\n  turn_rate: 0.25\n  laps: 7\n  fast: false\n"));
   EXPECT_EQ(to_yaml(read(to_yaml(p))), to_yaml(p));
+}
+
+// A path is told from a name by its slash, also beside the file that names it, where none would be left.
+TEST(PlannerRegistry, AProgramIsNamedByItsPath) {
+  EXPECT_EQ(refusal("algorithm: ./follower.py"),
+            "g.yaml:1: local_planner.algorithm = ./follower.py: planner processes are not started here");
+  EXPECT_THROW(make_planner("./follower.py", {}), std::runtime_error);
+  register_planner_programs(
+      {.fault_of = [](std::string_view) { return std::string(); },
+       .make = [](std::string_view, const DrivingOptions& driving) -> std::unique_ptr<LocalPlanner> {
+         return std::make_unique<Circler>(CirclerOptions{}, driving);
+       }});
+  const LocalPlannerParameters p = read("algorithm: ./follower.py");
+  EXPECT_EQ(p.algorithm, (std::filesystem::current_path() / "follower.py").string());
+  EXPECT_EQ(make_planner(p.algorithm, p.planners)->plan(problem_to({5, 0, 0})).command, (Twist2{0.0, 0.25}));
+  EXPECT_EQ(planner_label(p.algorithm), "follower.py");
+  EXPECT_EQ(planner_label("teb"), "teb");
 }
 
 TEST(PlannerRegistry, RefusesASecondPlannerOfOneName) {

@@ -81,5 +81,10 @@ TEST(TrackMovers, TracksFromTheFutureStay) {
   EXPECT_EQ(mover.predictions.size(), 3U);
 }
 
+TEST(TrackMovers, AreTracksAgain) {
+  const std::vector<Mover> movers = to_movers(one_track(5.0), Pose2{}, Time::seconds(5.0));
+  EXPECT_EQ(to_message(movers, "map", Time::seconds(5.0)), one_track(5.0));
+}
+
 }  // namespace
 }  // namespace bw
