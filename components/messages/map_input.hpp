@@ -1,55 +1,80 @@
-// A map that is told in parts: topic `map`, and what changed since in `map_updates`. For adaptors only.
+// A map as it is by now: topic `map` with whole maps, and `map_updates` with what changed since. For adaptors only.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include <map_msgs/msg/occupancy_grid_update.hpp>
 #include <nav_msgs/msg/occupancy_grid.hpp>
 
+#include "components/messages/grid.hpp"
+#include "components/model/occupancy_grid.hpp"
+#include "runtime/complaint.hpp"
 #include "runtime/component.hpp"
 
 namespace bw {
 
+struct KnownMap {
+  OccupancyGrid grid;
+  std::string frame;  ///< empty until a usable map came
+};
+
 /// Lays an update into the map that it is of. False, and nothing is changed, when it does not lie within it or
 /// is in another frame.
-inline bool lay_into(const map_msgs::msg::OccupancyGridUpdate& update, nav_msgs::msg::OccupancyGrid& map) {
-  const std::uint64_t width = map.info().width();
-  const std::uint64_t height = map.info().height();
+inline bool lay_into(const map_msgs::msg::OccupancyGridUpdate& update, KnownMap& map) {
   if (update.x() < 0 || update.y() < 0) return false;
   const auto x = static_cast<std::uint64_t>(update.x());
   const auto y = static_cast<std::uint64_t>(update.y());
-  if (x + update.width() > width || y + update.height() > height) return false;
+  const auto width = static_cast<std::uint64_t>(map.grid.width);
+  if (x + update.width() > width || y + update.height() > static_cast<std::uint64_t>(map.grid.height))
+    return false;
   if (update.data().size() != std::uint64_t{update.width()} * update.height()) return false;
-  if (map.data().size() != width * height) return false;
-  if (update.header().frame_id() != map.header().frame_id()) return false;
+  if (update.header().frame_id() != map.frame) return false;
   for (std::uint64_t row = 0; row < update.height(); ++row) {
     std::copy_n(update.data().begin() + static_cast<std::ptrdiff_t>(row * update.width()), update.width(),
-                map.data().begin() + static_cast<std::ptrdiff_t>((y + row) * width + x));
+                map.grid.cells.begin() + static_cast<std::ptrdiff_t>((y + row) * width + x));
   }
-  map.header().stamp(update.header().stamp());
   return true;
 }
 
-/// Calls on_map(map, tick) with each map, and with what an update makes of it.
-template <class Callback>
-void listen_to_map(Setup& setup, Callback on_map, Need need = Need::required) {
-  auto map = std::make_shared<nav_msgs::msg::OccupancyGrid>();
+using OnMap = std::function<void(const KnownMap& map, const Tick& tick)>;
+
+/// The map of `topic`, kept up to date: `on_map` is called with each map, and with what an update makes of it. What is no
+/// map is told in the log, and changes nothing.
+inline std::shared_ptr<const KnownMap> listen_to_map(Setup& setup, OnMap on_map = {},
+                                                     Need need = Need::required,
+                                                     const std::string& topic = "map") {
+  struct Followed {
+    KnownMap map;
+    Complaint fault;  ///< of the newest whole one, which updates are of
+  };
+  auto followed = std::make_shared<Followed>();
+  const auto tell = [followed, on_map = std::move(on_map)](const Tick& tick) {
+    if (on_map) on_map(followed->map, tick);
+  };
   setup.input<nav_msgs::msg::OccupancyGrid>(
-      "map", Qos::latched(),
-      [map, on_map](const nav_msgs::msg::OccupancyGrid& message, const Tick& tick) {
-        *map = message;
-        on_map(std::as_const(*map), tick);
+      topic, Qos::latched(),
+      [followed, tell, topic, log = setup.log()](const nav_msgs::msg::OccupancyGrid& message,
+                                                 const Tick& tick) {
+        auto& [map, fault] = *followed;
+        const std::string why = read_grid(message, map.grid);
+        if (fault.is_news(why) && fault) log.warn("a map of {} is not used: {}", topic, why);
+        if (fault) return;
+        map.frame = message.header().frame_id();
+        tell(tick);
       },
       need);
   setup.input<map_msgs::msg::OccupancyGridUpdate>(
-      "map_updates", Qos::standard(),
-      [map, on_map](const map_msgs::msg::OccupancyGridUpdate& update, const Tick& tick) {
-        if (lay_into(update, *map)) on_map(std::as_const(*map), tick);
+      topic + "_updates", Qos::standard(),
+      [followed, tell](const map_msgs::msg::OccupancyGridUpdate& update, const Tick& tick) {
+        if (!followed->fault && lay_into(update, followed->map)) tell(tick);
       },
       Need::optional);
+  return {followed, &followed->map};
 }
 
 }  // namespace bw

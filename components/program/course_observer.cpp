@@ -6,6 +6,7 @@
 #include <nav_msgs/msg/occupancy_grid.hpp>
 
 #include "components/evaluation/adaptor/truth_messages.hpp"
+#include "components/messages/map_input.hpp"
 #include "components/messages/obstacles.hpp"
 #include "components/model/robot.hpp"
 
@@ -45,16 +46,14 @@ void CourseListener::hear_goals(Setup& setup) {
 }
 
 void CourseListener::hear_map(Setup& setup) {
-  setup.input<nav_msgs::msg::OccupancyGrid>(
-      topics_.map, Qos::latched(),
-      [this](const auto& message, const Tick&) {
-        if (const auto map = to_grid(message)) (*course_)->set_map(*map);
-      },
-      Need::optional);
+  listen_to_map(
+      setup, [this](const KnownMap& map, const Tick&) { (*course_)->set_map(map.grid); }, Need::optional,
+      topics_.map);
   setup.input<nav_msgs::msg::OccupancyGrid>(
       topics_.true_map, Qos::latched(),
       [this](const auto& message, const Tick&) {
-        if (const auto map = to_grid(message)) (*course_)->set_true_map(*map);
+        OccupancyGrid map;
+        if (read_grid(message, map).empty()) (*course_)->set_true_map(map);
       },
       Need::optional);
   setup.input<bandwagon_msgs::msg::Obstacles>(

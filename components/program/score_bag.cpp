@@ -20,6 +20,7 @@
 #include "components/evaluation/adaptor/truth_messages.hpp"
 #include "components/messages/footprint.hpp"
 #include "components/messages/geometry.hpp"
+#include "components/messages/grid.hpp"
 #include "components/messages/obstacles.hpp"
 #include "components/model/mover_weight.hpp"
 #include "runtime/recording/bag/known_type.hpp"
@@ -157,9 +158,10 @@ class Scorer {
       return;
     }
     read<nav_msgs::msg::OccupancyGrid>(m, [&](const auto& message) {
-      const std::optional<OccupancyGrid> map = to_grid(message);
-      if (map && m.topic == from_.true_map) judge_.recorder().set_true_map(*map);
-      if (map && m.topic == from_.map) judge_.recorder().set_map(*map);
+      OccupancyGrid map;
+      if (!read_grid(message, map).empty()) return;
+      if (m.topic == from_.true_map) judge_.recorder().set_true_map(map);
+      if (m.topic == from_.map) judge_.recorder().set_map(map);
     });
   }
 

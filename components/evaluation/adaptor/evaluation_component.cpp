@@ -18,6 +18,7 @@
 #include "components/evaluation/evaluation_parameters.hpp"
 #include "components/evaluation/svg_picture.hpp"
 #include "components/messages/geometry.hpp"
+#include "components/messages/map_input.hpp"
 #include "components/messages/obstacles.hpp"
 #include "components/model/robot.hpp"
 #include "runtime/atomic_file.hpp"
@@ -64,16 +65,14 @@ class EvaluationComponent final : public Component {
           "navigation_status", Qos::standard(),
           [this](const auto& message, const Tick& tick) { on_status(message, tick); });
     }
-    setup.input<nav_msgs::msg::OccupancyGrid>(
-        "map", Qos::latched(),
-        [this](const auto& message, const Tick&) {
-          if (const auto map = grid_of(message)) judge_->recorder().set_map(*map);
-        },
+    listen_to_map(
+        setup, [this](const KnownMap& map, const Tick&) { judge_->recorder().set_map(map.grid); },
         Need::optional);
     setup.input<nav_msgs::msg::OccupancyGrid>(
         "sim/map", Qos::latched(),
         [this](const auto& message, const Tick&) {
-          if (const auto map = grid_of(message)) judge_->recorder().set_true_map(*map);
+          OccupancyGrid map;
+          if (read_grid(message, map).empty()) judge_->recorder().set_true_map(map);
         },
         Need::optional);
     setup.input<bandwagon_msgs::msg::Obstacles>(
@@ -106,12 +105,6 @@ class EvaluationComponent final : public Component {
     if (!judge_->on_goal(to_goal_news(message), tick.now)) return;
     publish(tick);
     draw();
-  }
-
-  std::optional<OccupancyGrid> grid_of(const nav_msgs::msg::OccupancyGrid& message) const {
-    std::optional<OccupancyGrid> map = to_grid(message);
-    if (!map) log_.warn("the map's sizes disagree: the picture goes without");
-    return map;
   }
 
   void publish(const Tick& tick) {

@@ -38,23 +38,6 @@ GoalNews to_goal_news(const bandwagon_msgs::msg::NavigationStatus& message) {
   return news;
 }
 
-std::optional<OccupancyGrid> to_grid(const nav_msgs::msg::OccupancyGrid& message) {
-  constexpr std::uint32_t kWidest = 100'000;
-  const auto& info = message.info();
-  const bool is_sound = info.width() <= kWidest && info.height() <= kWidest &&
-                        std::size_t{info.width()} * info.height() == message.data().size() &&
-                        std::isfinite(info.resolution()) && info.resolution() > 0.0F;
-  if (!is_sound) return std::nullopt;
-  OccupancyGrid grid;
-  grid.resolution = info.resolution();
-  grid.origin = {info.origin().position().x(), info.origin().position().y()};
-  grid.width = static_cast<int>(info.width());
-  grid.height = static_cast<int>(info.height());
-  grid.cells.assign(message.data().begin(), message.data().end());
-  if (!grid.origin.allFinite()) return std::nullopt;
-  return grid;
-}
-
 bandwagon_msgs::msg::ScoreCard to_message(const ScoreCard& card, const PoseErrors& errors,
                                           const std_msgs::msg::Header& header) {
   bandwagon_msgs::msg::ScoreCard message;

@@ -11,7 +11,6 @@
 
 #include <bandwagon_msgs/msg/navigation_status.hpp>
 #include <fmt/format.h>
-#include <nav_msgs/msg/occupancy_grid.hpp>
 #include <nav_msgs/msg/odometry.hpp>
 #include <std_msgs/msg/bool.hpp>
 #include <std_msgs/msg/string.hpp>
@@ -20,7 +19,6 @@
 #include "components/messages/base_stop_source.hpp"
 #include "components/messages/current_footprint.hpp"
 #include "components/messages/geometry.hpp"
-#include "components/messages/grid.hpp"
 #include "components/messages/map_input.hpp"
 #include "components/messages/markers.hpp"
 #include "components/messages/nav2_layouts.hpp"
@@ -63,7 +61,7 @@ class ExploreComponent final : public Component {
                                                                       Need::optional);
     status_ = setup.output<std_msgs::msg::String>("explore/status", Qos::latched());
     frontiers_ = setup.output<MarkerArray>("explore/frontiers", Qos::latched());
-    listen_to_map(setup, [this](const nav_msgs::msg::OccupancyGrid& map, const Tick&) { take(map); });
+    map_ = listen_to_map(setup, [this](const KnownMap&, const Tick&) { is_new_map_ = true; });
     setup.input<std_msgs::msg::Bool>(
         "explore/resume", Qos::standard(),
         [this](const std_msgs::msg::Bool& message, const Tick& tick) { on_resume(message.data(), tick); },
@@ -112,14 +110,6 @@ class ExploreComponent final : public Component {
     return status == GoalStatus::canceled || why.starts_with("preempted") || drives_on;
   }
 
-  void take(const nav_msgs::msg::OccupancyGrid& map) {
-    const std::string fault = read_grid(map, grid_);
-    if (map_fault_.is_news(fault) && map_fault_) log_.error("a map is not used: {}", fault);
-    if (map_fault_) return;
-    map_frame_ = map.header().frame_id();
-    is_new_map_ = true;
-  }
-
   std::optional<Pose2> pose(Time now) const {
     if (!odometry_ || now - odometry_.received() > kOldestPose) return std::nullopt;
     const Pose2 X_MB = from_pose(odometry_->pose().pose());
@@ -150,7 +140,7 @@ class ExploreComponent final : public Component {
     if (!is_new_map_ && !explorer_.is_idle()) return tell();
     is_new_map_ = false;
     const explore::FrontierSearch search =
-        explore::find_frontiers(grid_, X_MB->position(), {.radius = footprint_.now().radius});
+        explore::find_frontiers(map_->grid, X_MB->position(), {.radius = footprint_.now().radius});
     if (!search.is_placed) waits_for_ = "the robot stands on no free ground of the map";
     const ExploreStep step = explorer_.look(search);
     show(search, tick.now);
@@ -159,7 +149,7 @@ class ExploreComponent final : public Component {
   }
 
   std::string reason_to_wait(bool has_pose, Time now) const {
-    if (grid_.cells.empty()) return "there is no map yet";
+    if (map_->frame.empty()) return "there is no map yet";
     if (!has_pose) return std::string(kNoPose);
     if (!is_ready_()) return "nobody offers navigate_to_pose";
     // A goal in hand waits with the base; a new one would be refused.
@@ -176,7 +166,7 @@ class ExploreComponent final : public Component {
     if (goal_) forget_(*goal_);  // the newer one takes its place
     canceled_.reset();
     geometry_msgs::msg::PoseStamped pose;
-    pose.header(make_header(map_frame_, tick.now));
+    pose.header(make_header(map_->frame, tick.now));
     pose.pose(to_pose(*step.goal));
     goal_ = send_(pose);
   }
@@ -231,7 +221,7 @@ class ExploreComponent final : public Component {
   }
 
   void show(const explore::FrontierSearch& search, Time now) {
-    const std_msgs::msg::Header header = make_header(map_frame_, now);
+    const std_msgs::msg::Header header = make_header(map_->frame, now);
     namespace constants = visualization_msgs::msg::Marker_Constants;
     Marker points = make_marker("frontiers", 0, constants::SPHERE_LIST, {}, header);
     points.scale().x(kSize);
@@ -261,9 +251,7 @@ class ExploreComponent final : public Component {
   std::function<void(const GoalId&)> forget_;
   Latest<bandwagon_msgs::msg::NavigationStatus> navigation_;
   BaseStopSource base_;
-  OccupancyGrid grid_;
-  std::string map_frame_;
-  Complaint map_fault_;
+  std::shared_ptr<const KnownMap> map_;
   bool is_new_map_ = false;
   std::string waits_for_;           ///< empty: for nothing
   std::uint64_t number_ = 0;        ///< of the newest goal

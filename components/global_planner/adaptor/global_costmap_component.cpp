@@ -16,7 +16,6 @@
 #include "components/messages/costmap.hpp"
 #include "components/messages/costmap_clearing.hpp"
 #include "components/messages/footprint_source.hpp"
-#include "components/messages/grid.hpp"
 #include "components/messages/map_input.hpp"
 #include "components/model/robot.hpp"
 #include "runtime/component.hpp"
@@ -40,7 +39,7 @@ class GlobalCostmapComponent final : public Component {
     costmap_ = setup.output<nav_msgs::msg::OccupancyGrid>("costmap", Qos::latched());
     costmap_raw_ = setup.output<nav2_msgs::msg::Costmap>("costmap_raw", Qos::latched());
     published_footprint_ = setup.output<geometry_msgs::msg::PolygonStamped>("published_footprint");
-    listen_to_map(setup, [this](const auto& message, const Tick& tick) { on_map(message, tick.now); });
+    listen_to_map(setup, [this](const KnownMap& map, const Tick& tick) { on_map(map, tick.now); });
     keepout_.listen(setup, transforms_, [this](const Tick& tick) {
       if (!map_frame_.empty()) publish_costs(tick.now);
     });
@@ -72,18 +71,13 @@ class GlobalCostmapComponent final : public Component {
         {.entirely = tell, .inside = [tell](double) { tell(); }, .outside = [tell](double) { tell(); }});
   }
 
-  /// What is no map changes nothing.
-  void on_map(const nav_msgs::msg::OccupancyGrid& message, Time now) {
-    OccupancyGrid map;
-    std::string fault = read_grid(message, map);
-    if (fault.empty() && (map.width > SearchGrid::kMaxSide || map.height > SearchGrid::kMaxSide))
-      fault = "it has more than " + std::to_string(SearchGrid::kMaxSide) + " cells on a side";
-    if (!fault.empty()) {
-      log_.warn("the map is not used: {}", fault);
+  void on_map(const KnownMap& map, Time now) {
+    if (map.grid.width > SearchGrid::kMaxSide || map.grid.height > SearchGrid::kMaxSide) {
+      log_.warn("the map is not used: it has more than {} cells on a side", SearchGrid::kMaxSide);
       return;
     }
-    map_ = std::move(map);
-    map_frame_ = message.header().frame_id();
+    map_ = map.grid;
+    map_frame_ = map.frame;
     publish_costs(now);
   }
 

@@ -6,8 +6,6 @@
 #include <fmt/format.h>
 
 #include "components/messages/geometry.hpp"
-#include "components/messages/grid.hpp"
-#include "components/messages/map_input.hpp"
 #include "components/messages/obstacles.hpp"
 #include "components/model/mover_weight.hpp"
 #include "components/model/robot.hpp"
@@ -39,20 +37,16 @@ void MapPlanner::configure(Setup& setup) {
   tracks_ = setup.latest<bandwagon_msgs::msg::Tracks>("tracks", Qos::standard(), Need::optional);
   if (parameters_.plan_around_obstacles)
     obstacles_ = setup.latest<bandwagon_msgs::msg::Obstacles>("obstacles", Qos::standard(), Need::optional);
-  listen_to_map(setup, [this](const auto& message, const Tick&) { keep_map(message); });
+  map_ = listen_to_map(setup, [this](const KnownMap&, const Tick&) { keep_map(); });
   keepout_.listen(setup, transforms_, [this](const Tick&) { prepare_again(); });
 }
 
-void MapPlanner::keep_map(const nav_msgs::msg::OccupancyGrid& message) {
-  OccupancyGrid grid;
-  std::string fault = read_grid(message, grid);
-  if (fault.empty()) fault = prepare(grid, message.header().frame_id());
-  if (!fault.empty()) {
+void MapPlanner::keep_map() {
+  const std::string fault = prepare(map_->grid, map_->frame);
+  if (fault.empty())
+    map_frame_ = map_->frame;
+  else
     log_.warn("the map is not used: {}", fault);
-    return;
-  }
-  map_frame_ = message.header().frame_id();
-  map_ = std::move(grid);
 }
 
 std::string MapPlanner::prepare(OccupancyGrid map, const std::string& frame) {
@@ -66,7 +60,7 @@ std::string MapPlanner::prepare(OccupancyGrid map, const std::string& frame) {
 }
 
 void MapPlanner::prepare_again() {
-  if (!map_frame_.empty()) prepare(map_, map_frame_);
+  if (!map_frame_.empty()) prepare(map_->grid, map_frame_);
 }
 
 std::string MapPlanner::kept_out(const std::vector<Pose2>& poses) const {

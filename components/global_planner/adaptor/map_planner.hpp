@@ -10,13 +10,13 @@
 #include <bandwagon_msgs/msg/obstacles.hpp>
 #include <bandwagon_msgs/msg/tracks.hpp>
 #include <geometry_msgs/msg/pose_stamped.hpp>
-#include <nav_msgs/msg/occupancy_grid.hpp>
 #include <nav_msgs/msg/path.hpp>
 
 #include "components/global_planner/global_planner_parameters.hpp"
 #include "components/global_planner/planner.hpp"
 #include "components/mapping/adaptor/keepout_mask.hpp"
 #include "components/messages/current_footprint.hpp"
+#include "components/messages/map_input.hpp"
 #include "runtime/component.hpp"
 #include "runtime/transforms/transform_tree.hpp"
 
@@ -46,7 +46,7 @@ class MapPlanner {
   const GlobalPlannerParameters& parameters() const { return parameters_; }
 
  private:
-  void keep_map(const nav_msgs::msg::OccupancyGrid& message);
+  void keep_map();
   /// On failure `reason` says why, in words behind "the start", "pose 2".
   std::optional<Pose2> in_map(const geometry_msgs::msg::PoseStamped& pose, bool at_its_stamp,
                               std::string& reason) const;
@@ -60,7 +60,7 @@ class MapPlanner {
 
   GlobalPlannerParameters parameters_;
   CurrentFootprint footprint_;
-  OccupancyGrid map_;
+  std::shared_ptr<const KnownMap> map_;
   KeepoutMask keepout_;
   Planner planner_;
   Logger log_;

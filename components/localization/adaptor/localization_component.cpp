@@ -1,7 +1,7 @@
 #include "components/localization/adaptor/localization_component.hpp"
 
 #include "components/messages/geometry.hpp"
-#include "components/messages/grid.hpp"
+#include "components/messages/map_input.hpp"
 #include "components/model/robot.hpp"
 
 namespace bw::localization {
@@ -54,8 +54,8 @@ void LocalizationComponent::listen(Setup& setup) {
                                        [this](const auto& m, const Tick& tick) { on_odometry(m, tick); });
   inputs_.listen(setup, *filter_);
   if (parameters_.sensors.laser && parameters_.algorithm == Algorithm::particle_filter) {
-    setup.input<nav_msgs::msg::OccupancyGrid>(
-        "map", Qos::latched(), [this](const auto& m, const Tick& tick) { on_map(m, tick); }, Need::optional);
+    listen_to_map(
+        setup, [this](const KnownMap& map, const Tick& tick) { on_map(map.grid, tick); }, Need::optional);
   }
   setup.input<PoseWithCovarianceStamped>(
       "initialpose", Qos::standard(), [this](const auto& m, const Tick& tick) { on_initial_pose(m, tick); },
@@ -82,13 +82,8 @@ void LocalizationComponent::on_odometry(const nav_msgs::msg::Odometry& message, 
   publish_pose(X_OB, time);
 }
 
-void LocalizationComponent::on_map(const nav_msgs::msg::OccupancyGrid& message, const Tick& tick) {
-  OccupancyGrid grid;
-  if (const std::string fault = read_grid(message, grid); !fault.empty()) {
-    log_.error("the map is of no use: {}", fault);
-    return;
-  }
-  filter_->set_map(grid);
+void LocalizationComponent::on_map(const OccupancyGrid& map, const Tick& tick) {
+  filter_->set_map(map);
   if (parameters_.start_anywhere && !filter_->initialised()) search(tick.now);
 }
 

@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 
-#include <nav_msgs/msg/occupancy_grid.hpp>
 #include <tf2_msgs/msg/tf_message.hpp>
 
 #include "components/localization/adaptor/localization_messages.hpp"
@@ -26,7 +25,7 @@ class LocalizationComponent final : public Component {
   void offer_services(Setup& setup);
   void on_odometry(const nav_msgs::msg::Odometry& message, const Tick& tick);
   void on_initial_pose(const geometry_msgs::msg::PoseWithCovarianceStamped& message, const Tick& tick);
-  void on_map(const nav_msgs::msg::OccupancyGrid& message, const Tick& tick);
+  void on_map(const OccupancyGrid& map, const Tick& tick);
   void start_at(const Pose2& X_MB, const Eigen::Matrix3d& covariance, Time time);
   void search(Time time);
   void publish_pose(const Pose2& X_OB, Time time);

@@ -9,12 +9,11 @@
 #include <bandwagon_msgs/srv/save_map_part.hpp>
 #include <fmt/format.h>
 #include <nav2_msgs/srv/save_map.hpp>
-#include <nav_msgs/msg/occupancy_grid.hpp>
 
 #include "components/files/map_file.hpp"
 #include "components/files/map_image.hpp"
 #include "components/mapping/map_part.hpp"
-#include "components/messages/grid.hpp"
+#include "components/messages/map_input.hpp"
 #include "runtime/component.hpp"
 
 namespace bw {
@@ -77,7 +76,7 @@ class MapSaverComponent final : public Component {
     const std::filesystem::path folder = setup.file_parameter("folder");
     folder_ = std::filesystem::absolute(folder.empty() ? std::filesystem::path(options_.folder) : folder);
     for (const std::string& topic : options_.topics)
-      maps_[topic] = setup.latest<nav_msgs::msg::OccupancyGrid>(topic, Qos::latched());
+      maps_[topic] = listen_to_map(setup, {}, Need::required, topic);
     setup.service<SaveMap>(
         "~/save_map",
         [this](const SaveMap::Request& request, const Tick&) {
@@ -143,14 +142,11 @@ class MapSaverComponent final : public Component {
     return yaml.string();
   }
 
-  OccupancyGrid newest(const std::string& topic) const {
+  const OccupancyGrid& newest(const std::string& topic) const {
     for (const auto& [name, map] : maps_) {
       if (name != (topic.empty() ? options_.topics.front() : topic) && "/" + name != topic) continue;
-      if (!map) throw std::runtime_error("nothing came on " + name + " yet");
-      OccupancyGrid grid;
-      if (const std::string fault = read_grid(*map, grid); !fault.empty())
-        throw std::runtime_error("the map is of no use: " + fault);
-      return grid;
+      if (map->frame.empty()) throw std::runtime_error("no map came on " + name + " yet");
+      return map->grid;
     }
     throw std::runtime_error(fmt::format("'{}' is none of the topics in the parameter `topics` ({})", topic,
                                          fmt::join(options_.topics, ", ")));
@@ -159,7 +155,7 @@ class MapSaverComponent final : public Component {
   MapSaverOptions options_;
   std::filesystem::path folder_;
   Logger log_;
-  std::map<std::string, Latest<nav_msgs::msg::OccupancyGrid>> maps_;
+  std::map<std::string, std::shared_ptr<const KnownMap>> maps_;
 };
 
 BW_COMPONENT(MapSaverComponent, "map_saver")

@@ -31,10 +31,6 @@ void Lasers::set_options(const DetectorOptions& options) {
   for (Laser& laser : lasers_) laser.detector->set_options(options);
 }
 
-void Lasers::set_map(const OccupancyGrid& map) {
-  for (Laser& laser : lasers_) laser.detector->set_map(map);
-}
-
 const DetectionSet& Lasers::detect(std::size_t laser, const LaserSweep& sweep,
                                    const Surroundings& surroundings, Time now) {
   Laser& own = lasers_[laser];

@@ -24,7 +24,6 @@ class Lasers {
   void listen(Setup& setup, const std::vector<std::string>& topics, const DetectorOptions& options,
               std::function<void(const Tick&)> on_scan);
   void set_options(const DetectorOptions& options);
-  void set_map(const OccupancyGrid& map);
 
   ScanOrder& order() { return order_; }
   std::size_t count() const { return lasers_.size(); }

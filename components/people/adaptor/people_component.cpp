@@ -1,7 +1,6 @@
 #include "components/people/adaptor/people_component.hpp"
 
 #include "components/messages/geometry.hpp"
-#include "components/messages/grid.hpp"
 #include "components/messages/laser.hpp"
 #include "components/messages/obstacles.hpp"
 #include "components/messages/placed.hpp"
@@ -49,8 +48,7 @@ void PeopleComponent::configure(Setup& setup) {
                                          now_ = tick.now;
                                          on_odometry(message);
                                        });
-  setup.input<nav_msgs::msg::OccupancyGrid>(
-      "map", Qos::latched(), [this](const auto& message, const Tick&) { on_map(message); }, Need::optional);
+  map_ = listen_to_map(setup, {}, Need::optional);
   if (parameters.prediction.model == PredictionModel::social_force) {
     obstacles_ = setup.latest<bandwagon_msgs::msg::Obstacles>("obstacles", Qos::standard(), Need::optional);
   }
@@ -63,16 +61,6 @@ void PeopleComponent::on_odometry(const nav_msgs::msg::Odometry& message) {
   if (!is_finite(X_OB)) return;
   odometry_.set(odom_frame_, base_frame_, from_stamp(message.header().stamp()), spatial(X_OB), false);
   look();
-}
-
-void PeopleComponent::on_map(const nav_msgs::msg::OccupancyGrid& message) {
-  OccupancyGrid grid;
-  if (const std::string fault = read_grid(message, grid); !fault.empty()) {
-    log_.error("the map is of no use: {}", fault);
-    return;
-  }
-  lasers_.set_map(grid);
-  map_of_detector_ = message.header().frame_id();
 }
 
 void PeopleComponent::look() {
@@ -94,9 +82,8 @@ void PeopleComponent::look_at(std::size_t laser, const sensor_msgs::msg::LaserSc
     return lasers_.refuse(laser, to_text(fault));
   if (lasers_.count() > 1 && sweep.time < tracked_at_ && tracked_at_ - sweep.time < kLate)
     return lasers_.refuse(laser, "it came after a later one of another laser");
-  Surroundings surroundings;
-  if (!map_of_detector_.empty())
-    surroundings.X_MO = transforms_->lookup_planar(map_of_detector_, odom_frame_);
+  Surroundings surroundings{.map = &map_->grid};
+  if (!map_->frame.empty()) surroundings.X_MO = transforms_->lookup_planar(map_->frame, odom_frame_);
   const std::vector<Vector2> keep_out = tracker_->keep_out();
   surroundings.people = keep_out;
   DetectionSet detections = lasers_.detect(laser, sweep, surroundings, now_);

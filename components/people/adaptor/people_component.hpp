@@ -8,12 +8,12 @@
 
 #include <bandwagon_msgs/msg/obstacles.hpp>
 #include <bandwagon_msgs/msg/tracks.hpp>
-#include <nav_msgs/msg/occupancy_grid.hpp>
 #include <nav_msgs/msg/odometry.hpp>
 #include <people_msgs/msg/people.hpp>
 #include <sensor_msgs/msg/laser_scan.hpp>
 #include <visualization_msgs/msg/marker_array.hpp>
 
+#include "components/messages/map_input.hpp"
 #include "components/messages/people.hpp"
 #include "components/people/adaptor/detection_markers.hpp"
 #include "components/people/adaptor/lasers.hpp"
@@ -32,7 +32,6 @@ class PeopleComponent final : public Component {
 
  private:
   void on_odometry(const nav_msgs::msg::Odometry& message);
-  void on_map(const nav_msgs::msg::OccupancyGrid& message);
   /// Looks at the scans whose odometry has come, in order, and hears what others told until then.
   void look();
   void look_at(std::size_t laser, const sensor_msgs::msg::LaserScan& scan, const Pose2& X_OB);
@@ -49,8 +48,8 @@ class PeopleComponent final : public Component {
   TransformTree odometry_;                            ///< of the last seconds
   Latest<bandwagon_msgs::msg::Obstacles> obstacles_;  ///< only for social_force
   double obstacles_timeout_ = 0.0;                    ///< [s]
-  std::string map_of_detector_;                       ///< frame of the map; empty without one
-  Time tracked_at_;                                   ///< stamp of what the tracker took in last
+  std::shared_ptr<const KnownMap> map_;
+  Time tracked_at_;  ///< stamp of what the tracker took in last
   Time now_;
 
   std::string odom_frame_;

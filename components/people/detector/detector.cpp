@@ -7,12 +7,11 @@
 
 #include "components/people/detector/classifier.hpp"
 #include "components/people/detector/disc_fit.hpp"
+#include "components/people/detector/static_map.hpp"
 
 namespace bw::people {
 
 Detector::Detector(const DetectorOptions& options) : options_(options), local_(options.background) {}
-
-void Detector::set_map(const OccupancyGrid& map) { map_ = StaticMap(map, options_.background.kMapTolerance); }
 
 void Detector::reset() { local_.reset(); }
 
@@ -38,12 +37,15 @@ const DetectionSet& Detector::detect(const LaserSweep& sweep, const Surroundings
 }
 
 void Detector::find_background(const Surroundings& surroundings) {
-  const bool use_map = surroundings.X_MO && !map_.empty();
+  const auto is_in_map = [&](const Vector2& p_O) {
+    return surroundings.map != nullptr && surroundings.X_MO &&
+           is_near_wall(*surroundings.map, *surroundings.X_MO * p_O, BackgroundOptions::kMapTolerance);
+  };
   is_background_.assign(beams_.kinds.size(), 0);
   for (std::size_t i = 0; i < is_background_.size(); ++i) {
     if (beams_.kinds[i] != BeamKind::hit) continue;
     const Vector2& p_O = beams_.points[i];
-    is_background_[i] = local_.contains(p_O) || (use_map && map_.contains(*surroundings.X_MO * p_O));
+    is_background_[i] = local_.contains(p_O) || is_in_map(p_O);
   }
 }
 

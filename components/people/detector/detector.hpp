@@ -15,12 +15,12 @@
 #include "components/people/detector/local_background.hpp"
 #include "components/people/detector/neighbours.hpp"
 #include "components/people/detector/outline.hpp"
-#include "components/people/detector/static_map.hpp"
 
 namespace bw::people {
 
 /// What is known beside the sweep.
 struct Surroundings {
+  const OccupancyGrid* map = nullptr;
   std::optional<Pose2> X_MO;        ///< odom in the map; none: the map is not used for this sweep
   std::span<const Vector2> people;  ///< tracked people in O, whom the background must not absorb
 };
@@ -31,7 +31,6 @@ class Detector {
 
   /// For the next sweep. The background keeps what it was constructed with.
   void set_options(const DetectorOptions& options) { options_ = options; }
-  void set_map(const OccupancyGrid& map);
 
   /// `sweep` with its scanner in O. Of an unusable one (fault_for_people) nothing is detected, no direction
   /// was seen, and nothing is learnt. Valid until the next call; takes no memory once it has seen the largest
@@ -50,7 +49,6 @@ class Detector {
   Detection describe(const Cluster& cluster, const Neighbours& neighbours);
 
   DetectorOptions options_;
-  StaticMap map_;
   LocalBackground local_;
   Beams beams_;
   std::vector<std::uint8_t> is_background_;

@@ -1,31 +1,29 @@
 #include "components/people/detector/static_map.hpp"
 
+#include <algorithm>
 #include <cmath>
 
-#include "components/model/distance_transform.hpp"
+#include "components/model/obstacle_rule.hpp"
 
 namespace bw::people {
 
-StaticMap::StaticMap(const OccupancyGrid& grid, double tolerance) {
+bool is_near_wall(const OccupancyGrid& map, const Vector2& p_M, double tolerance) {
   const bool sound =
-      grid.width > 0 && grid.height > 0 && grid.resolution > 0.0 && grid.origin.allFinite() &&
-      grid.cells.size() == static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height);
-  if (!sound) return;
-  resolution_ = grid.resolution;
-  origin_ = grid.origin;
-  width_ = grid.width;
-  height_ = grid.height;
-  const std::vector<float> distances = distance_field(grid, ObstacleRule{});
-  near_.resize(distances.size());
-  for (std::size_t i = 0; i < distances.size(); ++i) near_[i] = distances[i] <= tolerance;
-}
-
-bool StaticMap::contains(const Vector2& p_M) const {
-  const double column = std::floor((p_M.x() - origin_.x()) / resolution_);
-  const double row = std::floor((p_M.y() - origin_.y()) / resolution_);
-  if (!(column >= 0.0 && row >= 0.0 && column < width_ && row < height_)) return false;
-  return near_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
-               static_cast<std::size_t>(column)] != 0;
+      map.width > 0 && map.height > 0 && map.resolution > 0.0 && map.origin.allFinite() &&
+      map.cells.size() == static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);
+  const Vector2 cell = ((p_M - map.origin) / map.resolution).array().floor();
+  if (!sound || !((cell.array() >= 0.0).all() && cell.x() < map.width && cell.y() < map.height)) return false;
+  const auto column = static_cast<int>(cell.x());
+  const auto row = static_cast<int>(cell.y());
+  const auto reach = static_cast<int>(tolerance / map.resolution) + 1;
+  const auto is_within = [&](int columns, int rows) {
+    const double distance = std::sqrt(static_cast<double>(columns * columns + rows * rows)) * map.resolution;
+    return static_cast<float>(distance) <= tolerance;
+  };
+  for (int j = std::max(0, row - reach); j <= std::min(map.height - 1, row + reach); ++j)
+    for (int i = std::max(0, column - reach); i <= std::min(map.width - 1, column + reach); ++i)
+      if (ObstacleRule{}.blocks(map.at(i, j)) && is_within(i - column, j - row)) return true;
+  return false;
 }
 
 }  // namespace bw::people

@@ -11,9 +11,12 @@
 #include <nav2_msgs/srv/save_map.hpp>
 #include <nav_msgs/msg/occupancy_grid.hpp>
 #include <nav_msgs/srv/get_map.hpp>
+#include <tf2_msgs/msg/tf_message.hpp>
 
 #include "components/files/map_file.hpp"
 #include "components/messages/grid.hpp"
+#include "components/messages/map_input.hpp"
+#include "components/messages/obstacles.hpp"
 #include "tests/components/files/map_files.hpp"
 #include "tests/components/service_calls.hpp"
 
@@ -292,6 +295,43 @@ TEST_F(MapServices, APartIsSavedUpright) {
   EXPECT_THAT(saved.cells, ElementsAre(0, 0, 0, 0, 0, 0, 100, 0));
   EXPECT_NEAR((saved.origin - Vector2(0.0, -2.0)).norm(), 0.0, 1e-9);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "bad.pgm"));
+}
+
+// A box stands there since the map was told: cell (2, 1), centred at (1.25, 0.75), a metre from the map's wall.
+TEST_F(MapServices, WhatAnUpdateChangedIsSavedAndInTheWay) {
+  std::vector<SaveMap::Response> saved;
+  StaticObstacles seen;
+  run_with_script(
+      graph("folder: " + (folder_ / "").string() + "}}, obstacles: {parameters: {rate: 10.0"), 2.0,
+      [&](bw::Setup& setup) {
+        setup.input<bandwagon_msgs::msg::Obstacles>(
+            "obstacles", Qos::standard(),
+            [&](const auto& m, const Tick&) { seen = to_obstacles(m, Pose2{}); });
+        call_at<SaveMap>(setup, "map_saver/save_map", {{1.5, save("", "box")}}, saved);
+        setup.every(
+            Duration::milliseconds(500), "box",
+            [tf = setup.output<tf2_msgs::msg::TFMessage>("/tf_static", Qos::latched()),
+             updates = setup.output<map_msgs::msg::OccupancyGridUpdate>("map_updates")](const Tick& tick) {
+              tf2_msgs::msg::TFMessage frames;
+              frames.transforms().push_back(to_transform("map", "odom", tick.now, {}));
+              frames.transforms().push_back(to_transform("odom", "base_link", tick.now, {}));
+              if (tick.sequence == 0) return tf.publish(frames);
+              map_msgs::msg::OccupancyGridUpdate update;
+              update.header(make_header("map", tick.now));
+              update.x(2);
+              update.y(1);
+              update.width(1);
+              update.height(1);
+              update.data({100});
+              updates.publish(update);
+            });
+      });
+  ASSERT_EQ(saved.size(), 1U);
+  ASSERT_TRUE(saved[0].result());
+  std::vector<std::int8_t> cells = kArea.cells;
+  cells[6] = 100;
+  EXPECT_EQ(load_map(folder_ / "box.yaml").cells, cells);
+  EXPECT_EQ(seen.points.size() + seen.segments.size() + seen.discs.size(), 2U);
 }
 
 }  // namespace

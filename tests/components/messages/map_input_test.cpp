@@ -8,14 +8,7 @@ namespace bw {
 namespace {
 
 /// 4 by 3 cells of 0.
-nav_msgs::msg::OccupancyGrid map() {
-  nav_msgs::msg::OccupancyGrid map;
-  map.header().frame_id("map");
-  map.info().width(4);
-  map.info().height(3);
-  map.data().assign(12, 0);
-  return map;
-}
+KnownMap map() { return {{0.05, {0.0, 0.0}, 4, 3, std::vector<std::int8_t>(12, 0)}, "map"}; }
 
 map_msgs::msg::OccupancyGridUpdate update(std::int32_t x, std::int32_t y, std::uint32_t width,
                                           std::uint32_t height) {
@@ -31,16 +24,16 @@ map_msgs::msg::OccupancyGridUpdate update(std::int32_t x, std::int32_t y, std::u
 }
 
 TEST(MapInput, AnUpdateIsLaidWhereItIs) {
-  nav_msgs::msg::OccupancyGrid laid = map();
+  KnownMap laid = map();
   EXPECT_TRUE(lay_into(update(1, 1, 2, 2), laid));
-  EXPECT_EQ(laid.data(), (std::vector<std::int8_t>{0, 0, 0, 0, 0, 1, 2, 0, 0, 3, 4, 0}));
+  EXPECT_EQ(laid.grid.cells, (std::vector<std::int8_t>{0, 0, 0, 0, 0, 1, 2, 0, 0, 3, 4, 0}));
   EXPECT_TRUE(lay_into(update(0, 0, 4, 3), laid)) << "all of it";
-  EXPECT_EQ(laid.data().back(), 12);
+  EXPECT_EQ(laid.grid.cells.back(), 12);
 }
 
 // Of another map than the one that is there, or broken: nothing is written.
 TEST(MapInput, AnUpdateThatDoesNotFitChangesNothing) {
-  nav_msgs::msg::OccupancyGrid laid = map();
+  KnownMap laid = map();
   for (const auto& [x, y, width, height] :
        {std::array{-1, 0, 2, 2}, {0, -1, 2, 2}, {3, 0, 2, 2}, {0, 2, 2, 2}, {2'000'000'000, 0, 2, 2}})
     EXPECT_FALSE(
@@ -56,9 +49,9 @@ TEST(MapInput, AnUpdateThatDoesNotFitChangesNothing) {
   auto of_another_frame = update(0, 0, 1, 1);
   of_another_frame.header().frame_id("odom");
   EXPECT_FALSE(lay_into(of_another_frame, laid));
-  nav_msgs::msg::OccupancyGrid none;
+  KnownMap none;
   EXPECT_FALSE(lay_into(update(0, 0, 1, 1), none));
-  EXPECT_EQ(laid, map());
+  EXPECT_EQ(laid.grid.cells, map().grid.cells);
 }
 
 }  // namespace

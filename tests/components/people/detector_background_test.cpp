@@ -109,12 +109,12 @@ OccupancyGrid map_with_wall_at(double x) {
 
 TEST(StaticMapOfDetector, WallsOfTheMapAreBackgroundAtOnceEvenWithAPoseThatErrs) {
   Detector detector(DetectorOptions{});
-  detector.set_map(map_with_wall_at(4.0));
+  const OccupancyGrid map = map_with_wall_at(4.0);
   Scanner scanner(0.02);
   StaticObstacles wall;
   wall.segments = {{{4.0, -3.0}, {4.0, 3.0}}};
   const Pose2 X_MO_wrong{0.1, 0.0, std::numbers::pi / 180.0};
-  const DetectionSet& set = detector.detect(scanner.scan(wall, {kLeg}, {}, 0.0), {X_MO_wrong, {}});
+  const DetectionSet& set = detector.detect(scanner.scan(wall, {kLeg}, {}, 0.0), {&map, X_MO_wrong, {}});
   int walls = 0;
   for (const Detection& d : set.detections) {
     if (d.position.x() < 3.5) continue;
@@ -132,8 +132,7 @@ TEST(StaticMapOfDetector, WithoutAPoseOrWithAMapThatIsNoneNothingIsWall) {
   wall.segments = {{{4.0, -3.0}, {4.0, 3.0}}};
   const auto any_static = [&](const OccupancyGrid& map, std::optional<Pose2> X_MO) {
     Detector detector(DetectorOptions{});
-    detector.set_map(map);
-    const DetectionSet& set = detector.detect(scanner.scan(wall, {}, {}, 0.0), {X_MO, {}});
+    const DetectionSet& set = detector.detect(scanner.scan(wall, {}, {}, 0.0), {&map, X_MO, {}});
     EXPECT_FALSE(set.detections.empty());
     return std::any_of(set.detections.begin(), set.detections.end(),
                        [](const Detection& d) { return d.on_static; });

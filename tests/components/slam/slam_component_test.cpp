@@ -37,7 +37,7 @@ using slam_toolbox::srv::SaveMap;
 struct Seen {
   std::vector<nav_msgs::msg::OccupancyGrid> maps;
   std::vector<map_msgs::msg::OccupancyGridUpdate> updates;
-  nav_msgs::msg::OccupancyGrid followed;  ///< the map, and updates laid into it
+  OccupancyGrid followed;  ///< the map, and updates laid into it
   std::vector<visualization_msgs::msg::MarkerArray> graphs;
   std::vector<nav_msgs::msg::Odometry> poses;  ///< odometry/filtered
   std::vector<Pose2> X_MO;
@@ -62,7 +62,7 @@ Seen run(const Script& script) {
   Seen seen;
   const std::string yaml = "components: {slam: {parameters: {" + script.parameters + "}}}";
   run_with_script(yaml, script.seconds, [&](Setup& setup) {
-    listen_to_map(setup, [&](const auto& m, const Tick&) { seen.followed = m; });
+    listen_to_map(setup, [&](const KnownMap& m, const Tick&) { seen.followed = m.grid; });
     setup.input<nav_msgs::msg::OccupancyGrid>("map", Qos::latched(),
                                               [&](const auto& m, const Tick&) { seen.maps.push_back(m); });
     setup.input<map_msgs::msg::OccupancyGridUpdate>(
@@ -203,10 +203,9 @@ TEST(SlamComponent, UpdatesBetweenMapsAreThoseThatChanged) {
   EXPECT_LE(seen.maps.size(), 8U);
   EXPECT_GE(seen.updates.size(), 8U);
   ASSERT_EQ(seen.shown.size(), 1U);
-  EXPECT_EQ(seen.followed.data(), seen.shown[0].map().data());
-  EXPECT_EQ(seen.followed.info().origin().position().x(), seen.shown[0].map().info().origin().position().x());
-  EXPECT_EQ(seen.followed.info().origin().position().y(), seen.shown[0].map().info().origin().position().y());
-  EXPECT_EQ(seen.maps.back().data(), seen.followed.data())
+  EXPECT_EQ(seen.followed.cells, seen.shown[0].map().data());
+  EXPECT_EQ(seen.followed.origin, grid_of(seen.shown[0].map()).origin);
+  EXPECT_EQ(seen.maps.back().data(), seen.followed.cells)
       << "four seconds after the last change it is told whole";
 }
 

@@ -43,7 +43,7 @@ class ExploreObserver final : public Component {
     setup.input<bandwagon_msgs::msg::GroundTruth>(
         "sim/ground_truth", Qos::standard(),
         [this](const auto& truth, const Tick& tick) { follow(truth, tick.now); });
-    listen_to_map(setup, [this](const nav_msgs::msg::OccupancyGrid& map, const Tick&) { map_ = map; });
+    listen_to_map(setup, [this](const KnownMap& map, const Tick&) { seen_->map = map.grid; });
     setup.every(Duration::seconds(1.0), "look", [this](const Tick& tick) { look(tick.now); });
   }
 
@@ -72,8 +72,6 @@ class ExploreObserver final : public Component {
       resume_.publish(message);
       is_told_ = true;
     }
-    OccupancyGrid grid;
-    if (read_grid(map_, grid).empty()) seen_->map = std::move(grid);
     if (!seen_->complete) return;
     if (!complete_since_) complete_since_ = now;
     if ((now - *complete_since_).to_seconds() >= kLastMap) finish_run_(true, "explored");
@@ -82,7 +80,6 @@ class ExploreObserver final : public Component {
   std::shared_ptr<ExploreDrive> seen_;
   std::function<void(bool, const std::string&)> finish_run_;
   Output<std_msgs::msg::Bool> resume_;
-  nav_msgs::msg::OccupancyGrid map_;
   std::optional<Vector2> last_;
   std::optional<Time> complete_since_;
   bool is_told_ = false;
