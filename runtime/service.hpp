@@ -15,7 +15,8 @@
 
 namespace bw {
 
-/// Answers one request, once: now, or in a later callback of the same component. A copyable handle.
+/// Answers one request, once: now, in a later callback of the same component, or where time is real from a thread that
+/// this has started. A copyable handle.
 template <class S>
 class Reply {
  public:

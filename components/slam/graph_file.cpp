@@ -16,26 +16,7 @@ using graph::fields;
 using graph::kMagic;
 using graph::kNone;
 using graph::Reader;
-using graph::text;
 using graph::Writer;
-
-constexpr double kMostCells = 4e8;      // of the box of a map
-constexpr double kBesideSubmap = 65.0;  // [m] that beams reach
-
-// What a map of these submaps would take as a grid.
-void check_size(const Reader& reader, const SlamState& slam) {
-  if (slam.closing.X_MS.empty()) return;
-  Vector2 low = slam.closing.X_MS.front().position();
-  Vector2 high = low;
-  for (const Pose2& X : slam.closing.X_MS) {
-    low = low.cwiseMin(X.position());
-    high = high.cwiseMax(X.position());
-  }
-  const Vector2 size = (high - low).array() + 2.0 * kBesideSubmap;
-  if (size.prod() > kMostCells * slam.options.resolution * slam.options.resolution)
-    reader.refuse("poses of the submaps", text(size.x()) + " x " + text(size.y()) + " m",
-                  "a map may have " + text(kMostCells) + " cells");
-}
 
 // Of a map from which submaps have left: whatever is followed from one to another must be there.
 void check_marginalised(const Reader& reader, const SlamState& slam) {
@@ -107,7 +88,6 @@ void sections(Io& io, graph::Field<Io, SavedGraph> saved) {
         submap.all_round = all_round(submap.surfaces);
         submap.centre = centre(submap.surfaces);
       });
-      check_size(io, slam);
     } else {
       for (; k < counts.submaps; ++k) fields(io, slam.closing.submaps[k], slam.closing.X_MS[k], k, counts);
     }

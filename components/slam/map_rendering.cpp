@@ -37,6 +37,24 @@ void MapRendering::count(int i, int j, int hits, int passes) {
   counts.passes = static_cast<std::int16_t>(std::clamp(counts.passes + passes, 0, 30000));
 }
 
+bool MapRendering::draw(const RangeImage& image, const Pose2& X_MB) {
+  std::uint16_t longest = 0;
+  for (const std::uint16_t mm : image.millimetres)
+    if (mm != RangeImage::kNoReturn) longest = std::max(longest, mm);
+  const Vector2 at = (X_MB * image.X_BL).position();
+  const Vector2 reach = Vector2::Constant(0.001 * longest);
+  Box box{(at - reach) / resolution_, (at + reach) / resolution_};
+  if (!cells_.empty()) box = {drawn_.low.cwiseMin(box.low), drawn_.high.cwiseMax(box.high)};
+  // [cells] that can be counted; of grid(), a tile on either side and one of rounding.
+  constexpr double kFarthest = 1e9;
+  constexpr double kMargin = 3 * MapTile::kEdge;
+  const bool can_be = at.allFinite() && box.low.minCoeff() >= -kFarthest && box.high.maxCoeff() <= kFarthest;
+  if (!can_be || ((box.high - box.low).array() + kMargin).prod() > kMostCells) return false;
+  drawn_ = box;
+  add(image, X_MB, 1);
+  return true;
+}
+
 void MapRendering::add(const RangeImage& image, const Pose2& X_MB, int sign) {
   const Pose2 X_ML = X_MB * image.X_BL;
   const double per_metre = 1.0 / resolution_;
@@ -124,6 +142,12 @@ void MapRendering::gather(std::size_t most, std::vector<MapTile>& tiles) {
     const Counts* counts = cells_.tile_of(index.column * MapTile::kEdge, index.row * MapTile::kEdge);
     std::transform(counts, counts + tile.cells.size(), tile.cells.begin(), value_of);
   }
+}
+
+OccupancyGrid render(std::span<const PlacedScan> scans, double resolution) {
+  MapRendering map(resolution);
+  for (const PlacedScan& scan : scans) map.draw(*scan.ranges, scan.X_MB);
+  return map.grid();
 }
 
 }  // namespace bw::slam

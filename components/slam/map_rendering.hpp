@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "components/model/occupancy_grid.hpp"
@@ -22,13 +24,25 @@ struct MapTile {
   std::array<std::int8_t, std::size_t{kEdge} * kEdge> cells{};  ///< row-major: as in OccupancyGrid
 };
 
+/// Cells of the largest map: 500 x 500 m at 5 cm.
+inline constexpr double kMostCells = 1e8;
+
+struct PlacedScan {
+  Pose2 X_MB;
+  std::shared_ptr<const RangeImage> ranges;
+};
+
+/// The map that these draw, as MapRendering does.
+OccupancyGrid render(std::span<const PlacedScan> scans, double resolution);
+
 class MapRendering {
  public:
   explicit MapRendering(double resolution) : resolution_(resolution) {}
 
-  /// Draws a scan at X_MB, or takes it back: what was drawn once at a pose can be taken back at the same
-  /// pose, up to 30,000 beams through one cell (theory.md 10.12).
-  void draw(const RangeImage& image, const Pose2& X_MB) { add(image, X_MB, 1); }
+  /// Draws a scan at X_MB. False, and nothing is drawn, where the box about all would then have more than kMostCells.
+  bool draw(const RangeImage& image, const Pose2& X_MB);
+  /// Takes it back: what was drawn once at a pose can be taken back at the same pose, up to 30,000 beams through one
+  /// cell (theory.md 10.12).
   void erase(const RangeImage& image, const Pose2& X_MB) { add(image, X_MB, -1); }
 
   /// All that was drawn, with a margin of one tile; its origin and size grow in steps of a tile. Without
@@ -53,12 +67,18 @@ class MapRendering {
     int row = 0;
     bool operator==(const TileIndex&) const = default;
   };
+  /// [cells] the box about all that was drawn, an upper bound.
+  struct Box {
+    Vector2 low{0.0, 0.0};
+    Vector2 high{0.0, 0.0};
+  };
   static std::int8_t value_of(const Counts& counts);
   void add(const RangeImage& image, const Pose2& X_MB, int sign);
   void count(int i, int j, int hits, int passes);
   void mark(const TileIndex& tile);
 
   double resolution_;
+  Box drawn_;
   TiledGrid<Counts> cells_;
   std::deque<TileIndex> changed_;
   TiledGrid<std::uint8_t> is_changed_;  ///< by tile: it is in changed_

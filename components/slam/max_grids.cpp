@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace bw::slam {
 namespace {
@@ -12,7 +13,10 @@ int cell_of(float v) { return static_cast<int>(std::floor(static_cast<double>(v)
 
 }  // namespace
 
-MaxGrids::MaxGrids(std::span<const Surface> surfaces) {
+MaxGrids::MaxGrids(std::span<const Surface> all) {
+  std::vector<Surface> surfaces;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(surfaces),
+               [](const Surface& s) { return std::hypot(s.x, s.y) <= static_cast<float>(kReach); });
   if (surfaces.empty()) return;
   int last_column = -1000000;
   int last_row = -1000000;

@@ -16,6 +16,8 @@ class MaxGrids {
   static constexpr double kCell = 0.1;
   /// [m] spread of the likelihood about a wall
   static constexpr double kSpread = 0.12;
+  /// [m] from the submap's frame; walls farther away are left out, which bounds the memory
+  static constexpr double kReach = 120.0;
 
   explicit MaxGrids(std::span<const Surface> surfaces);
 

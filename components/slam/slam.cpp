@@ -34,12 +34,10 @@ void Slam::finish() {
   settle();
 }
 
-void Slam::settle() {
-  while (advance()) {
-  }
+bool Slam::settle_a_piece() {
+  if (advance()) return true;
   closing_.settle();
-  while (advance()) {
-  }
+  return advance();
 }
 
 void Slam::begin_at(std::size_t found_in, const UncertainPose& X_PB) {

@@ -31,6 +31,10 @@ struct SlamState {
   ScanTracking::State tracking;
 };
 
+/// Pieces of the work on loops for each scan, where none may be delayed: at 10 scans/s a submap's are done before the
+/// next comes.
+inline constexpr int kPiecesPerScan = 6;
+
 class Slam {
  public:
   explicit Slam(const SlamOptions& options);
@@ -70,8 +74,12 @@ class Slam {
   std::size_t submap_under_way() const { return tracking_.submap(); }
   const SurfaceMap* walls_under_way() const { return tracking_.walls(); }
 
-  /// Does all work on loops, and moves poses for those that waited.
-  void settle();
+  /// As advance(), and poses move for loops that waited, too. False: all is settled.
+  bool settle_a_piece();
+  void settle() {
+    while (settle_a_piece()) {
+    }
+  }
 
  private:
   std::optional<ScanTracking::Joint> joint(std::size_t submap) const;

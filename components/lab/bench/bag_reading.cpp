@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "components/lab/bench/bench_common.hpp"
 #include "runtime/recording/bag/bag.hpp"
 
 namespace bw {
@@ -38,15 +39,6 @@ void drop_cache(const std::filesystem::path& bag) {
   for (const auto& entry : std::filesystem::directory_iterator(bag)) drop(entry.path());
 }
 
-/// [bytes], of the line `key` of /proc/self/status.
-double memory(const std::string& key) {
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);) {
-    if (line.starts_with(key + ":")) return 1024.0 * std::stod(line.substr(key.size() + 1));
-  }
-  return 0.0;
-}
-
 std::vector<double> seek(const bag::Bag& recording, const std::filesystem::path& path, int count,
                          std::uint64_t seed) {
   std::mt19937_64 random(seed);
@@ -69,12 +61,12 @@ std::vector<double> seek(const bag::Bag& recording, const std::filesystem::path&
 }  // namespace
 
 ordered_json read_figures(const std::filesystem::path& path, int seeks, std::uint64_t seed) {
-  const double memory_before = memory("VmRSS");
+  const double memory_before = memory_bytes("VmRSS");
   drop_cache(path);
   auto start = Clock::now();
   const auto recording = bag::open_bag(path);
   const double open_s = seconds_since(start);
-  const double memory_open = memory("VmRSS");
+  const double memory_open = memory_bytes("VmRSS");
   std::printf("open        %.1f ms, %.1f MB of memory (%.1f MB before)\n", 1e3 * open_s, 1e-6 * memory_open,
               1e-6 * memory_before);
   ordered_json figures = {{"open_s", open_s}, {"rss_before", memory_before}, {"rss_open", memory_open}};
@@ -101,10 +93,10 @@ ordered_json read_figures(const std::filesystem::path& path, int seeks, std::uin
   }
   const double read_s = seconds_since(start);
   std::printf("read        %.0f MB/s of messages, %.0f messages/s, %.1f MB of memory at most\n",
-              1e-6 * bytes / read_s, static_cast<double>(messages) / read_s, 1e-6 * memory("VmHWM"));
+              1e-6 * bytes / read_s, static_cast<double>(messages) / read_s, 1e-6 * memory_bytes("VmHWM"));
   figures["read_mb_per_s"] = 1e-6 * bytes / read_s;
   figures["read_messages_per_s"] = static_cast<double>(messages) / read_s;
-  figures["rss_most"] = memory("VmHWM");
+  figures["rss_most"] = memory_bytes("VmHWM");
   return figures;
 }
 

@@ -120,9 +120,7 @@ MadeMap make_map(const std::vector<DriveBag>& bags, const MapMakingOptions& opti
     if (!is_placed && map.is_whole) map.unplaced = bag.path;
     if (!is_placed || !map.is_whole) break;
   }
-  slam::MapPainter painter(options.slam.resolution, {});
-  painter.finish(replayed.slam);
-  map.grid = painter.grid();
+  map.grid = slam::render(slam::placed_scans(replayed.slam, {}), options.slam.resolution);
   map.scans_used = replayed.scans.size();
   map.unmatched = replayed.slam.counts().unmatched;
   map.submaps = replayed.slam.submaps();

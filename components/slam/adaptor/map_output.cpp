@@ -45,17 +45,28 @@ void MapOutput::begin(double resolution) { published_ = std::make_shared<Publish
 bool MapOutput::send(std::vector<MapTile>& tiles, Time stamp) {
   if (jobs_) jobs_->rethrow();
   if (busy_) return false;
-  if (!jobs_) {
-    publish(*published_, tiles, stamp);
-  } else {
-    busy_ = true;
-    jobs_->add([this, map = published_, tiles = std::move(tiles), stamp] {
-      publish(*map, tiles, stamp);
-      busy_ = false;
-    });
-  }
+  busy_ = true;
+  add([this, map = published_, tiles = std::move(tiles), stamp] {
+    publish(*map, tiles, stamp);
+    busy_ = false;
+  });
   tiles.clear();
   return true;
+}
+
+void MapOutput::answer(const Reply<nav_msgs::srv::GetMap>& reply, Time stamp) {
+  add([reply, map = published_, frame = frame_, stamp] {
+    nav_msgs::srv::GetMap::Response response;
+    response.map(to_message(map->grid(), frame, stamp));
+    reply(response);
+  });
+}
+
+void MapOutput::add(std::function<void()> job) {
+  if (jobs_)
+    jobs_->add(std::move(job));
+  else
+    job();
 }
 
 void MapOutput::publish(PublishedMap& map, const std::vector<MapTile>& tiles, Time stamp) const {

@@ -1,14 +1,16 @@
-// Topics `map` and `map_updates`. Where time is real they are written by a thread of their own, so that a map
-// of many megabytes delays no scan; in lock-step at once.
+// What becomes of the map beside the scans: topics `map` and `map_updates`, answers, files. Where time is real all of it
+// is done by one thread of its own, so that a map of many megabytes or a slow disk delays no scan; in lock-step at once.
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include <map_msgs/msg/occupancy_grid_update.hpp>
 #include <nav_msgs/msg/occupancy_grid.hpp>
+#include <nav_msgs/srv/get_map.hpp>
 
 #include "components/slam/published_map.hpp"
 #include "runtime/component.hpp"
@@ -20,13 +22,17 @@ class MapOutput {
  public:
   void configure(Setup& setup);
   void activate();
-  /// Returns when nothing is being written any more.
+  /// Returns when all is done.
   void deactivate();
 
   /// A new map: what was told before is no part of it.
   void begin(double resolution);
   /// What changed in one interval. False: the one before is still being written, ask again.
   bool send(std::vector<MapTile>& tiles, Time stamp);
+  /// The map as it was told last.
+  void answer(const Reply<nav_msgs::srv::GetMap>& reply, Time stamp);
+  /// Does this after what was asked for before.
+  void add(std::function<void()> job);
 
  private:
   void publish(PublishedMap& map, const std::vector<MapTile>& tiles, Time stamp) const;

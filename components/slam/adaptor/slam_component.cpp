@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "components/messages/geometry.hpp"
-#include "components/messages/grid.hpp"
 #include "components/messages/laser.hpp"
 #include "components/messages/obstacles.hpp"
 #include "components/messages/placed.hpp"
@@ -17,10 +16,7 @@
 namespace bw::slam {
 namespace {
 
-constexpr std::size_t kMostWaiting = 20;  // scans, for odometry of their time
-constexpr int kPiecesPerScan =
-    6;  // of the work on loops: at 10 scans/s a submap's is done before the next comes
-constexpr int kDrawnPerScan = 4;            // scans of the map
+constexpr std::size_t kMostWaiting = 20;    // scans, for odometry of their time
 constexpr std::size_t kTilesPerScan = 500;  // of the map to be published: half a millisecond
 constexpr double kOldestTracks = 0.5;       // [s] older ones do not say where people are
 
@@ -57,6 +53,8 @@ void SlamComponent::configure(Setup& setup) {
     publish_map();
     publish_graph();
   });
+  is_lockstep_ = setup.is_lockstep();
+  setup.every(Duration::milliseconds(50), "saving", [this](const Tick&) { advance_saves(); });
   setup.every(Duration::seconds(1.0), "health", [this](const Tick& tick) { report(tick.now); });
   offer_services(setup);
   offer_graph_services(setup);
@@ -68,9 +66,13 @@ void SlamComponent::activate(const Tick&) {
   map_.activate();
 }
 
-void SlamComponent::deactivate(const Tick&) { map_.deactivate(); }
+void SlamComponent::deactivate(const Tick&) {
+  finish_saves();
+  map_.deactivate();
+}
 
 void SlamComponent::begin_map() {
+  finish_saves();
   const MapStartPose& start = parameters_.map_start_pose;
   X_MW_ = {start.x, start.y, start.yaw};
   options_ = parameters_.algorithm;
@@ -208,10 +210,6 @@ std::vector<Disc> SlamComponent::people_at(Time time) const {
   return from ? to_discs(*tracks_, from->age, from->X_TF) : std::vector<Disc>{};
 }
 
-nav_msgs::msg::OccupancyGrid SlamComponent::map_message(Time stamp) const {
-  return to_message(painter_->grid(), map_frame_, stamp);
-}
-
 void SlamComponent::publish_map() {
   if (slam_->nodes().empty()) return;
   if (!is_gathering_) to_gather_ = painter_->changed_tiles();
@@ -249,6 +247,7 @@ void SlamComponent::report(Time now) {
   diagnostics_->set_value("scans in the map", std::to_string(slam_->nodes().size()));
   diagnostics_->set_value("submaps", std::to_string(slam_->submaps()));
   diagnostics_->set_value("loop closures", std::to_string(loops.accepted));
+  diagnostics_->set_value("scans beyond the largest map", std::to_string(painter_->left_out()));
   diagnostics_->set_value("beams that meet the map", fmt::format("{:.2f}", inliers_));
   diagnostics_->set_value("initialpose", initial_pose_remark_);
   const SlamHealth health = watch_.health(now);
@@ -264,6 +263,10 @@ void SlamComponent::report(Time now) {
   } else if (state == HealthState::ok && carried_ && (now - *carried_).to_seconds() < kToldFor) {
     state = HealthState::degraded;
     why = "was carried away, and found its place in the map again";
+  } else if (state == HealthState::ok && painter_->left_out() > 0) {
+    state = HealthState::degraded;
+    why = fmt::format("{} scans are not on the map, which may have {:.0e} cells", painter_->left_out(),
+                      kMostCells);
   }
   const Level level = state == HealthState::lost ? Level::error
                       : state == HealthState::ok ? Level::ok

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <deque>
-#include <future>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,10 +12,8 @@
 
 #include <bandwagon_msgs/msg/tracks.hpp>
 #include <geometry_msgs/msg/pose_with_covariance_stamped.hpp>
-#include <nav_msgs/msg/occupancy_grid.hpp>
 #include <nav_msgs/msg/odometry.hpp>
 #include <sensor_msgs/msg/laser_scan.hpp>
-#include <slam_toolbox/srv/serialize_pose_graph.hpp>
 #include <tf2_msgs/msg/tf_message.hpp>
 #include <visualization_msgs/msg/marker_array.hpp>
 
@@ -42,10 +41,14 @@ class SlamComponent final : public Component {
  private:
   void offer_services(Setup& setup);
   void offer_graph_services(Setup& setup);
-  using SavedReply = Reply<slam_toolbox::srv::SerializePoseGraph>;
-  void save_graph(const std::string& name, const SavedReply& reply);
-  /// Answers when the file that is being written is done.
-  void answer_saving();
+  /// A file of the map. `take`: what is to be written, as the work that is left for another thread; called when all
+  /// work on loops is done.
+  void save(std::function<std::function<void()>()> take);
+  void write_next();
+  /// Some pieces of that work, if a file is asked for.
+  void advance_saves();
+  /// All that is asked for, here and now.
+  void finish_saves();
   void begin_map();
   /// Goes on with a map that was saved: where the robot is in it is looked for, about X_MB if that is given.
   void continue_map(SavedGraph graph, const std::optional<Pose2>& X_MB);
@@ -65,7 +68,6 @@ class SlamComponent final : public Component {
   void gather_map();
   void publish_graph();
   void report(Time now);
-  nav_msgs::msg::OccupancyGrid map_message(Time stamp) const;
 
   SlamParameters parameters_;
   std::filesystem::path folder_;
@@ -85,10 +87,9 @@ class SlamComponent final : public Component {
   std::optional<Pose2> given_X_MO_;  ///< as it follows from that
   std::unique_ptr<PlaceSearch> search_;
   std::string initial_pose_remark_ = "none";
-  // A graph is written by another thread: a disk may take seconds. In lock-step there is none.
   bool is_lockstep_ = false;
-  std::future<std::filesystem::path> saving_;
-  SavedReply saving_reply_;
+  std::deque<std::function<std::function<void()>()>> saves_;  ///< that wait
+  std::atomic<bool> is_saving_ = false;
   std::deque<sensor_msgs::msg::LaserScan> waiting_;  ///< for odometry of their time
   Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();
   Time map_time_;               ///< of the newest scan in the map
@@ -114,10 +115,10 @@ class SlamComponent final : public Component {
   Output<nav_msgs::msg::Odometry> filtered_;
   Output<tf2_msgs::msg::TFMessage> tf_;
   Output<geometry_msgs::msg::PoseWithCovarianceStamped> pose_;
-  MapOutput map_;
   Output<visualization_msgs::msg::MarkerArray> graph_;
   Logger log_;
   DiagnosticReporter* diagnostics_ = nullptr;
+  MapOutput map_;  ///< last: its thread ends before what it uses
 };
 
 }  // namespace bw::slam

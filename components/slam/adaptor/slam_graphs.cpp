@@ -1,10 +1,10 @@
 // Maps that are saved with all that SLAM knows, gone on with, and where the robot is in them.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include <fmt/format.h>
 #include <slam_toolbox/srv/deserialize_pose_graph.hpp>
+#include <slam_toolbox/srv/serialize_pose_graph.hpp>
 
 #include "components/files/map_file.hpp"
 #include "components/messages/geometry.hpp"
@@ -52,14 +52,36 @@ std::string text(const Pose2& X) { return fmt::format("({:.2f}, {:.2f}, {:.2f})"
 }  // namespace
 
 void SlamComponent::offer_graph_services(Setup& setup) {
-  is_lockstep_ = setup.is_lockstep();
   setup.service<SerializePoseGraph>(
       "slam_toolbox/serialize_map",
-      [this](const SerializePoseGraph::Request& request, const SavedReply& reply, const Tick&) {
-        save_graph(request.filename(), reply);
+      [this](const SerializePoseGraph::Request& request, const Reply<SerializePoseGraph>& reply,
+             const Tick&) {
+        const auto refuse = [this, reply](const std::exception& error) {
+          log_.error("serialize_map: {}", error.what());
+          reply(written(kRefused));
+        };
+        try {
+          if (slam_->nodes().empty()) throw std::runtime_error("there is no map yet");
+          const std::filesystem::path file = path_of_graph(folder_, request.filename());
+          if (!parameters_.overwrite && std::filesystem::exists(std::filesystem::symlink_status(file)))
+            throw std::runtime_error(file.string() + " exists already, and is not to be overwritten");
+          save([this, file, reply, refuse] {
+            const auto graph = std::make_shared<const SavedGraph>(SavedGraph{X_MW_, slam_->save()});
+            return [this, file, reply, refuse, graph] {
+              try {
+                write_graph_file(file, *graph);
+                log_.info("the map is saved to be gone on with: {}", file.string());
+                reply(written(slam_toolbox::srv::SerializePoseGraph_Response_Constants::RESULT_SUCCESS));
+              } catch (const std::exception& error) {
+                refuse(error);
+              }
+            };
+          });
+        } catch (const std::exception& error) {
+          refuse(error);
+        }
       },
       [](const std::string&) { return written(kRefused); });
-  setup.every(Duration::milliseconds(50), "saving", [this](const Tick&) { answer_saving(); });
   setup.service<DeserializePoseGraph>(
       "slam_toolbox/deserialize_map",
       [this](const DeserializePoseGraph::Request& request, const Tick&) {
@@ -90,39 +112,6 @@ void SlamComponent::offer_graph_services(Setup& setup) {
       [](const std::string&) { return was_read(false); });
 }
 
-void SlamComponent::save_graph(const std::string& name, const SavedReply& reply) {
-  try {
-    if (slam_->nodes().empty()) throw std::runtime_error("there is no map yet");
-    if (saving_.valid()) throw std::runtime_error("another one is being written");
-    const std::filesystem::path file = path_of_graph(folder_, name);
-    if (!parameters_.overwrite && std::filesystem::exists(std::filesystem::symlink_status(file)))
-      throw std::runtime_error(file.string() + " exists already, and is not to be overwritten");
-    saving_ = std::async(is_lockstep_ ? std::launch::deferred : std::launch::async,
-                         [file, graph = SavedGraph{X_MW_, slam_->save()}] {
-                           write_graph_file(file, graph);
-                           return file;
-                         });
-    saving_reply_ = reply;
-    if (is_lockstep_) answer_saving();
-  } catch (const std::exception& error) {
-    log_.error("serialize_map: {}", error.what());
-    reply(written(kRefused));
-  }
-}
-
-void SlamComponent::answer_saving() {
-  if (!saving_.valid()) return;
-  if (!is_lockstep_ && saving_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-  try {
-    const std::filesystem::path file = saving_.get();
-    log_.info("the map is saved to be gone on with: {}", file.string());
-    saving_reply_(written(slam_toolbox::srv::SerializePoseGraph_Response_Constants::RESULT_SUCCESS));
-  } catch (const std::exception& error) {
-    log_.error("serialize_map: {}", error.what());
-    saving_reply_(written(kRefused));
-  }
-}
-
 void SlamComponent::continue_map(SavedGraph graph, const std::optional<Pose2>& X_MB) {
   const double resolution = graph.slam.options.resolution;
   if (resolution != parameters_.algorithm.resolution)
@@ -135,7 +124,8 @@ void SlamComponent::continue_map(SavedGraph graph, const std::optional<Pose2>& X
   slam_ = std::make_unique<Slam>(std::move(graph.slam));
   slam_->finish();
   painter_ = std::make_unique<MapPainter>(resolution, X_MW_);
-  painter_->finish(*slam_);
+  while (painter_->update(*slam_, 1000)) {
+  }
   map_.begin(resolution);
   looks_for_place_ = true;
   given_ = X_MB;

@@ -28,23 +28,25 @@ void SlamComponent::offer_services(Setup& setup) {
   namespace result = slam_toolbox::srv::SaveMap_Response_Constants;
   setup.service<SaveMap>(
       "slam_toolbox/save_map",
-      [this](const SaveMap::Request& request, const Tick&) {
+      [this](const SaveMap::Request& request, const Reply<SaveMap>& reply, const Tick&) {
         if (slam_->nodes().empty()) {
           log_.error("save_map: there is no map yet");
-          return saved(result::RESULT_NO_MAP_RECEIEVD);
+          return reply(saved(result::RESULT_NO_MAP_RECEIEVD));
         }
-        try {
-          slam_->settle();
-          painter_->finish(*slam_);
-          const std::filesystem::path file = path_of_map(folder_, request.name().data());
-          save_map(painter_->grid(), file, {}, ImageFormat::pgm,
-                   parameters_.overwrite ? Existing::replace : Existing::refuse);
-          log_.info("the map is saved: {}", file.string());
-        } catch (const std::exception& error) {
-          log_.error("save_map: {}", error.what());
-          return saved(result::RESULT_UNDEFINED_FAILURE);
-        }
-        return saved(result::RESULT_SUCCESS);
+        save([this, name = request.name().data(), reply] {
+          return [this, name, reply, scans = placed_scans(*slam_, X_MW_), resolution = options_.resolution] {
+            try {
+              const std::filesystem::path file = path_of_map(folder_, name);
+              save_map(render(scans, resolution), file, {}, ImageFormat::pgm,
+                       parameters_.overwrite ? Existing::replace : Existing::refuse);
+              log_.info("the map is saved: {}", file.string());
+              reply(saved(result::RESULT_SUCCESS));
+            } catch (const std::exception& error) {
+              log_.error("save_map: {}", error.what());
+              reply(saved(result::RESULT_UNDEFINED_FAILURE));
+            }
+          };
+        });
       },
       [](const std::string&) { return saved(result::RESULT_UNDEFINED_FAILURE); });
   setup.service<Pause>(
@@ -72,11 +74,34 @@ void SlamComponent::offer_services(Setup& setup) {
         response.result(255);
         return response;
       });
-  setup.service<GetMap>("slam_toolbox/dynamic_map", [this](const GetMap::Request&, const Tick&) {
-    GetMap::Response response;
-    response.map(map_message(map_time_));
-    return response;
+  setup.service<GetMap>("slam_toolbox/dynamic_map", [this](const GetMap::Request&, const Reply<GetMap>& reply,
+                                                           const Tick&) { map_.answer(reply, map_time_); });
+}
+
+void SlamComponent::save(std::function<std::function<void()>()> take) {
+  saves_.push_back(std::move(take));
+  if (is_lockstep_) finish_saves();
+}
+
+void SlamComponent::write_next() {
+  is_saving_ = true;
+  map_.add([this, write = saves_.front()()] {
+    write();
+    is_saving_ = false;
   });
+  saves_.pop_front();
+}
+
+void SlamComponent::advance_saves() {
+  for (int i = 0; i < kPiecesPerScan && !saves_.empty() && !is_saving_; ++i)
+    if (!slam_->settle_a_piece()) write_next();
+}
+
+void SlamComponent::finish_saves() {
+  while (!saves_.empty()) {
+    slam_->settle();
+    write_next();
+  }
 }
 
 }  // namespace bw::slam

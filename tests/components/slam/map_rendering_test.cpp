@@ -171,5 +171,20 @@ TEST(MapRendering, BeamsStartAtTheScannersMount) {
   EXPECT_EQ(value_at(map.grid(), 0.125, 0.025), OccupancyGrid::kUnknown);
 }
 
+// 500 x 500 m at 5 cm are 1e8 cells: 200 m away there is room, 10 km away, at no place and at 1e300 m there is none, and
+// the map stays what it was.
+TEST(MapRendering, HasABound) {
+  MapRendering map(0.05);
+  EXPECT_TRUE(map.draw(one_beam(10.0), {}));
+  EXPECT_TRUE(map.draw(one_beam(10.0), {200.0, 200.0, 0.0}));
+  const OccupancyGrid before = map.grid();
+  const std::size_t bytes = map.bytes();
+  for (const Pose2& X : {Pose2{10'000.0, 10'000.0, 0.0}, Pose2{-700.0, 600.0, 0.0}, Pose2{NAN, 0.0, 0.0},
+                         Pose2{1e300, 0.0, 0.0}})
+    EXPECT_FALSE(map.draw(one_beam(10.0), X)) << X.x;
+  EXPECT_EQ(map.bytes(), bytes);
+  EXPECT_EQ(map.grid().cells, before.cells);
+}
+
 }  // namespace
 }  // namespace bw::slam

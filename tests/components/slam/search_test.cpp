@@ -151,6 +151,16 @@ TEST(MaxGrids, OfNoWallsAreZero) {
   EXPECT_EQ(grids.bytes(), 0U);
 }
 
+// As a file may have them: 10 km on either side would be 240 GB.
+TEST(MaxGrids, HaveABound) {
+  Random random(1);
+  std::vector<Surface> surfaces = any_walls(random);
+  const std::size_t bytes = MaxGrids(surfaces).bytes();
+  surfaces.push_back({10'000.0F, 10'000.0F, 1.0F, 0.0F, 1});
+  surfaces.push_back({-10'000.0F, -10'000.0F, 1.0F, 0.0F, 1});
+  EXPECT_EQ(MaxGrids(surfaces).bytes(), bytes);
+}
+
 struct Tried {
   int best = 0;
   std::int64_t poses = 0;

@@ -1,5 +1,6 @@
 // A map of a room that is saved, gone on with from another place, and "start from here"; in lock-step.
 // Truth: the circle that the robot drives.
+#include <atomic>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -11,11 +12,14 @@
 #include <gtest/gtest.h>
 #include <nav_msgs/msg/occupancy_grid.hpp>
 #include <nav_msgs/msg/odometry.hpp>
+#include <nav_msgs/srv/get_map.hpp>
 #include <slam_toolbox/srv/deserialize_pose_graph.hpp>
+#include <slam_toolbox/srv/save_map.hpp>
 #include <slam_toolbox/srv/serialize_pose_graph.hpp>
 #include <tf2_msgs/msg/tf_message.hpp>
 
 #include "components/slam/files/graph_disk.hpp"
+#include "runtime/host/actor.hpp"
 #include "tests/components/service_calls.hpp"
 #include "tests/components/slam/slam_room.hpp"
 #include "tests/folder.hpp"
@@ -24,7 +28,9 @@ namespace bw {
 namespace {
 
 using geometry_msgs::msg::PoseWithCovarianceStamped;
+using nav_msgs::srv::GetMap;
 using slam_toolbox::srv::DeserializePoseGraph;
+using slam_toolbox::srv::SaveMap;
 using slam_toolbox::srv::SerializePoseGraph;
 using namespace slam::test;
 
@@ -242,37 +248,73 @@ TEST_F(SlamGraphs, GoesOnAsBeforeWhenAFileCannotBeRead) {
   EXPECT_EQ(with.maps, without.maps);
 }
 
-// In real time another thread writes, and the answer comes when the file is there.
-TEST(SlamGraphsInRealTime, AreWrittenByAnotherThread) {
+/// Who reads `map` keeps its writer until it is let go, as a network or a disk may do.
+class HeldMap final : public SampleTap {
+ public:
+  void connect(const std::vector<const OutputEnd*>&) override {}
+  void on_sample(const OutputEnd& output, Time, std::span<const std::uint8_t>) override {
+    if (output.topic == "/map") is_let_go_.wait(false);
+  }
+  void let_go() {
+    is_let_go_ = true;
+    is_let_go_.notify_all();
+  }
+  bool is_let_go() const { return is_let_go_; }
+
+ private:
+  std::atomic<bool> is_let_go_ = false;
+};
+
+// In real time one thread tells the map, answers, and writes files. While it is held up three scans are handled; then
+// all three answers come, and the files are there.
+TEST(SlamInRealTime, HandlesScansWhileTheMapIsSaved) {
   const bw::test::Folder folder;
-  const auto path = scratch_file("slam_graphs_in_real_time");
+  const auto path = scratch_file("slam_in_real_time");
   std::ofstream(path) << "components: {slam: {parameters: {folder: " << (folder / "").string() << "}}}";
-  std::vector<std::uint8_t> results;
-  bool was_there = false;
+  const auto held = std::make_shared<HeldMap>();
+  int poses = -1;  // since the services were called
+  std::vector<std::string> answers;
   std::vector<ExtraComponent> extra;
   extra.push_back(
       {"script", std::make_unique<Script>([&](bw::Setup& setup) {
+         setup.input<PoseWithCovarianceStamped>("pose", Qos::standard(), [&](const auto&, const Tick&) {
+           if (poses >= 0 && ++poses == 3) held->let_go();
+         });
+         const auto answered = [&, finish = setup.finish_run()](const std::string& what, bool ok) {
+           answers.push_back(what + (ok ? "" : " failed") + (held->is_let_go() ? "" : " before the scans"));
+           if (answers.size() == 3) finish(true, "saved");
+         };
          setup.every(Duration::milliseconds(20), "robot",
-                     [&, robot = RoomRobot(setup), finish = setup.finish_run(),
-                      client = setup.client<SerializePoseGraph>("slam_toolbox/serialize_map")](
-                         const Tick& tick) mutable {
+                     [&, answered, robot = RoomRobot(setup),
+                      graph = setup.client<SerializePoseGraph>("slam_toolbox/serialize_map"),
+                      grid = setup.client<SaveMap>("slam_toolbox/save_map"),
+                      shown = setup.client<GetMap>("slam_toolbox/dynamic_map")](const Tick& tick) mutable {
                        const double t = 0.02 * static_cast<double>(tick.sequence);
                        robot.publish(tick, truth_at(t), odometry_at(t));
                        if (tick.sequence != 50) return;
-                       client.call(save("room"), Duration::seconds(20.0),
-                                   [&, finish](const SerializePoseGraph::Response* response, const Tick&) {
-                                     if (response != nullptr) results.push_back(response->result());
-                                     was_there = std::filesystem::exists(folder / "room.posegraph");
-                                     finish(true, "saved");
-                                   });
+                       poses = 0;
+                       const Duration patience = Duration::seconds(20.0);
+                       graph.call(save("room"), patience,
+                                  [answered](const SerializePoseGraph::Response* r, const Tick&) {
+                                    answered("graph", r != nullptr && r->result() == result::RESULT_SUCCESS);
+                                  });
+                       SaveMap::Request room;
+                       room.name().data("room");
+                       grid.call(room, patience, [answered](const SaveMap::Response* r, const Tick&) {
+                         answered("grid", r != nullptr && r->result() == 0);
+                       });
+                       shown.call({}, patience, [answered](const GetMap::Response* r, const Tick&) {
+                         answered("shown", r != nullptr && r->map().info().width() > 100);
+                       });
                      });
        })});
-  Host host(load_graph(path, {}), {.clock = ClockMode::wall}, std::move(extra));
+  Host host(load_graph(path, {}), {.clock = ClockMode::wall, .tap = held}, std::move(extra));
   host.run(Duration::seconds(30.0));
+  held->let_go();
   std::filesystem::remove(path);
-  EXPECT_EQ(results, std::vector<std::uint8_t>{result::RESULT_SUCCESS});
-  EXPECT_TRUE(was_there);
+  EXPECT_THAT(answers, testing::UnorderedElementsAre("graph", "grid", "shown"));
   EXPECT_GT(slam::read_graph_file(folder / "room.posegraph").slam.nodes.size(), 0U);
+  EXPECT_TRUE(std::filesystem::exists(folder / "room.yaml"));
 }
 
 // Carried a third of the circle on, unseen by odometry; somebody says where it is, half a metre off.

@@ -156,9 +156,7 @@ struct Rounds {
   }
   // Cells that are occupied where the box was, in the frame of the first pose.
   int box() const {
-    MapPainter painter(0.05, X_WB0);
-    painter.finish(slam);
-    const OccupancyGrid grid = painter.grid();
+    const OccupancyGrid grid = render(placed_scans(slam, X_WB0), 0.05);
     int occupied = 0;
     for (int row = 0; row < grid.height; ++row)
       for (int column = 0; column < grid.width; ++column) {

@@ -97,9 +97,7 @@ std::vector<SlamRound> drive_slam_rounds(std::uint64_t seed, int rounds,
     before_ms = spent;
     scans_before = so_far.scans.size();
     const Pose2 X_WM = truth.at(so_far.scans.front().time);
-    slam::MapPainter painter(slam.resolution, X_WM);
-    painter.finish(so_far.slam);
-    const OccupancyGrid made = painter.grid();
+    const OccupancyGrid made = slam::render(slam::placed_scans(so_far.slam, X_WM), slam.resolution);
     const OccupancyGrid now = buildings::known_map(arrangements[k], slam.resolution);
     const OccupancyGrid before = buildings::known_map(arrangements[k == 0 ? 0 : k - 1], slam.resolution);
     const slam::MapScore lately = slam::score_map(made, either(now, before), {});

@@ -1,5 +1,6 @@
 #include "components/lab/bench/slam/bench_slam.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 #include <fmt/format.h>
@@ -16,26 +17,49 @@ namespace {
 
 using nlohmann::ordered_json;
 
-OccupancyGrid painted(const slam::Slam& made, double resolution, const Pose2& X_WM) {
-  slam::MapPainter painter(resolution, X_WM);
-  painter.finish(made);
-  return painter.grid();
-}
-
 OccupancyGrid painted_at_truth(const slam::Slam& made, double resolution, const slam::TruthOfScans& truth) {
   slam::MapRendering rendering(resolution);
   for (const auto& [number, node] : made.nodes()) rendering.draw(*node.ranges, truth.at(node.time));
   return rendering.grid();
 }
 
+/// A scan as the component handles it: its own work, the next pieces of the work on loops, and some scans of the map.
+class OnlineCost {
+ public:
+  OnlineCost(double resolution, const Pose2& X_WM)
+      : painter_(resolution, X_WM), memory_before_(memory_bytes("VmRSS")) {}
+
+  void look(const slam::SlamReplay& so_far) {
+    double ms = so_far.scan_times.back();
+    const std::size_t end = std::min(so_far.piece_times.size(), piece_ + slam::kPiecesPerScan);
+    for (; piece_ < end; ++piece_) ms += so_far.piece_times[piece_];
+    const double before_ms = thread_cpu_ms();
+    painter_.update(so_far.slam, slam::kDrawnPerScan);
+    times_.push_back(ms + thread_cpu_ms() - before_ms);
+    if (times_.size() % kLooksAtMemory == 0)
+      memory_ = std::max(memory_, memory_bytes("VmRSS") - memory_before_);
+  }
+  const std::vector<double>& times() const { return times_; }  ///< [ms]
+  double memory_mb() const { return 1e-6 * memory_; }
+
+ private:
+  static constexpr std::size_t kLooksAtMemory = 200;  // scans
+  slam::MapPainter painter_;
+  std::size_t piece_ = 0;  ///< that is done next
+  std::vector<double> times_;
+  double memory_before_;
+  double memory_ = 0.0;  ///< [bytes] more than before
+};
+
 std::string line_of(const SlamDrive& d) {
   return fmt::format(
       "{:<14}{:6.0f} m  ATE {:.3f} m (at most {:.3f})  map F1 {:.3f} (at the truth {:.3f})  loops {}, wrong {}, gross {} "
-      "({} kept)  missed {} of {}  ANEES {:.2f} (95 %: {:.0f} %)  CPU {:.2f} ms, 99 %: {:.1f}, pieces {:.1f}\n",
+      "({} kept)  missed {} of {}  ANEES {:.2f} (95 %: {:.0f} %)  CPU {:.2f} ms, 99 %: {:.1f}, pieces {:.1f}, at most {:.1f}; "
+      "online 99 %: {:.1f}, at most {:.1f}; {:.0f} MB\n",
       d.building, d.way, d.trajectory.rms, d.trajectory.largest, d.map.f1(), d.map_at_truth.f1(),
       d.loops.loops, d.loops.wrong, d.loops.gross, d.loops.gross_kept, d.missed, d.revisits,
       d.consistency.anees, 100.0 * d.consistency.share_in_95, d.cpu_ms_per_scan, d.scan_p99_ms,
-      d.piece_p99_ms);
+      d.piece_p99_ms, d.piece_most_ms, d.online_p99_ms, d.online_most_ms, d.memory_mb);
 }
 
 ordered_json json_of(const SlamDrive& d) {
@@ -56,7 +80,11 @@ ordered_json json_of(const SlamDrive& d) {
           {"share_in_95", d.consistency.share_in_95},
           {"cpu_ms_per_scan", d.cpu_ms_per_scan},
           {"scan_p99_ms", d.scan_p99_ms},
-          {"piece_p99_ms", d.piece_p99_ms}};
+          {"piece_p99_ms", d.piece_p99_ms},
+          {"piece_most_ms", d.piece_most_ms},
+          {"online_p99_ms", d.online_p99_ms},
+          {"online_most_ms", d.online_most_ms},
+          {"memory_mb", d.memory_mb}};
 }
 
 /// Of the drives of one kind: medians, and sums of what is counted.
@@ -131,9 +159,11 @@ SlamDrive drive_slam(const buildings::Building& building, const buildings::Build
   const buildings::WallIndex walls(building.walls);
   slam::Revisits revisits(truth, walls);
   double judging_ms = 0.0;
+  OnlineCost online(slam.resolution, truth.at(drive.scans.front().time));
   const auto look = [&](const slam::SlamReplay& so_far) {
     const double before_ms = thread_cpu_ms();
     revisits.look(so_far);
+    online.look(so_far);
     judging_ms += thread_cpu_ms() - before_ms;
   };
   const double before_ms = thread_cpu_ms();
@@ -153,7 +183,8 @@ SlamDrive drive_slam(const buildings::Building& building, const buildings::Build
     result.way += (drive.truth[i].position - drive.truth[i - 1].position).norm();
   result.trajectory = slam::trajectory_error(estimated, truth_of_scans);
   const OccupancyGrid known = buildings::known_map(building, slam.resolution);
-  result.map = slam::score_map(painted(replayed.slam, slam.resolution, truth_of_scans.front()), known, {});
+  result.map = slam::score_map(
+      slam::render(slam::placed_scans(replayed.slam, truth_of_scans.front()), slam.resolution), known, {});
   result.map_at_truth = slam::score_map(painted_at_truth(replayed.slam, slam.resolution, truth), known, {});
   result.loops = slam::loop_faults(replayed.slam, truth);
   result.revisits = revisits.count();
@@ -162,6 +193,10 @@ SlamDrive drive_slam(const buildings::Building& building, const buildings::Build
   result.cpu_ms_per_scan = cpu_ms / static_cast<double>(replayed.scans.size());
   result.scan_p99_ms = quantile(replayed.scan_times, 0.99);
   result.piece_p99_ms = quantile(replayed.piece_times, 0.99);
+  result.piece_most_ms = quantile(replayed.piece_times, 1.0);
+  result.online_p99_ms = quantile(online.times(), 0.99);
+  result.online_most_ms = quantile(online.times(), 1.0);
+  result.memory_mb = online.memory_mb();
   return result;
 }
 

@@ -37,6 +37,10 @@ struct SlamDrive {
   double cpu_ms_per_scan = 0.0;  ///< all the work of SLAM
   double scan_p99_ms = 0.0;
   double piece_p99_ms = 0.0;
+  double piece_most_ms = 0.0;
+  double online_p99_ms = 0.0;  ///< of a scan as the component handles it: pieces and drawing included
+  double online_most_ms = 0.0;
+  double memory_mb = 0.0;  ///< most that the process grew by on the drive
 };
 
 /// Same arguments, same figures, times apart.
