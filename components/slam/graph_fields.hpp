@@ -49,17 +49,21 @@ void fields(Io& io, Field<Io, UncertainPose> X, double farthest) {
 }
 
 template <class Io>
-void fields(Io& io, Field<Io, SlamOptions> o) {
-  io.real("resolution", o.resolution, 0.01, 0.2);
-  io.real("max_laser_range", o.max_laser_range, 1.0, 65.0);
-  io.real("minimum_travel_distance", o.minimum_travel_distance, 0.0, 5.0);
-  io.real("minimum_travel_heading", o.minimum_travel_heading, 0.0, kPi);
-  io.flag("do_loop_closing", o.do_loop_closing);
-  io.real("submap_length", o.submap_length, 0.1, 100.0);
-  io.real("loop_search_maximum_distance", o.loop_search_maximum_distance, 0.0, 1000.0);
-  io.real("odometry_turn_noise", o.odometry_turn_noise, 0.0, 10.0);
-  io.real("odometry_travel_noise", o.odometry_travel_noise, 0.0, 10.0);
-  io.real("odometry_heading_noise", o.odometry_heading_noise, 0.0, 10.0);
+struct OptionFields {
+  Io& io;
+  void operator()(const char* name, double& value, const bw::Field& rule) {
+    io.real(name, value, rule.min, rule.max);
+  }
+  void operator()(const char* name, bool& value, const bw::Field&) { io.flag(name, value); }
+};
+
+template <class Io>
+void fields(Io& io, Field<Io, SlamOptions> options) {
+  SlamOptions same = options;
+  OptionFields<Io> visitor{io};
+  same.fields(visitor);
+  same.fixed_fields(visitor);
+  if constexpr (Io::kReads) options = same;
 }
 
 template <class Io>
@@ -107,8 +111,8 @@ void fields(Io& io, Field<Io, SurfaceMap::State> map, double resolution) {
 
 template <class Io>
 void fields(Io& io, Field<Io, ScanTracking::State::Active> active, double resolution, const Counts& counts) {
-  io.optional_index("found_in", active.found_in, counts.submaps);
-  fields(io, active.X_PS, kFarthest);
+  io.optional_index("found_in", active.joint.found_in, counts.submaps);
+  fields(io, active.joint.X_PS, kFarthest);
   fields(io, active.X_SB, kReachOfSubmap);
   fields(io, active.X_before, kReachOfSubmap);
   io.real("travel", active.travel, 0.0, kFarthestOdometry);
@@ -120,8 +124,11 @@ template <class Io>
 void fields(Io& io, Field<Io, ScanTracking::State> tracking, double resolution, const Counts& counts) {
   io.exactly("submap", tracking.submap, counts.submaps, "the number of submaps");
   fields(io, tracking.X_OB, kFarthestOdometry);
-  io.real("travel_factor", tracking.travel_factor, 0.0, 10.0);
-  io.real("turn_factor", tracking.turn_factor, 0.0, 10.0);
+  double travel_factor = tracking.trust.travel();
+  double turn_factor = tracking.trust.turn();
+  io.real("travel_factor", travel_factor, 0.0, 10.0);
+  io.real("turn_factor", turn_factor, 0.0, 10.0);
+  if constexpr (Io::kReads) tracking.trust = {travel_factor, turn_factor};
   io.integer("time", tracking.time.nanoseconds, -kMaxInteger, kMaxInteger);
   fields(io, tracking.step_before, kFarthestOdometry);
   fields(io, tracking.odometry_before, kFarthestOdometry);

@@ -45,26 +45,11 @@ struct LoopClosing::Search {
   View with_before;  // and the one before: what was seen of a place is often shared by two submaps
 };
 
-LoopClosing::LoopClosing(const SlamOptions& options, Nodes& nodes, State state)
-    : options_(options),
-      nodes_(nodes),
-      submaps_(std::move(state.submaps)),
-      X_MS_(std::move(state.X_MS)),
-      edges_(std::move(state.edges)),
-      pending_(std::move(state.pending)),
-      newest_in_first_(state.newest_in_first),
-      turn_(state.turn),
-      counts_(state.counts) {}
-
-LoopClosing::State LoopClosing::state() const {
-  return {submaps_, X_MS_, edges_, pending_, newest_in_first_, turn_, counts_};
-}
-
 UncertainPose LoopClosing::in_first(std::size_t submap) const {
-  const auto& anchor = submaps_.front().marginalised;
-  if (!anchor) return marginal(submap, 0, edges_, X_MS_);
+  const auto& anchor = known_.submaps.front().marginalised;
+  if (!anchor) return marginal(submap, 0, known_.edges, known_.X_MS);
   return UncertainPose{inverse(anchor->X_AS), Eigen::Matrix3d::Zero()} *
-         marginal(submap, anchor->submap, edges_, X_MS_);
+         marginal(submap, anchor->submap, known_.edges, known_.X_MS);
 }
 
 bool LoopClosing::advance() {
@@ -72,7 +57,7 @@ bool LoopClosing::advance() {
     if (optimisation_->step()) return true;
     place(optimisation_->poses());
     optimisation_.reset();
-    ++counts_.optimisations;
+    ++known_.counts.optimisations;
     return true;
   }
   if (!search_) {
@@ -87,30 +72,30 @@ bool LoopClosing::advance() {
   }
   if (search_->next < search_->candidates.size()) {
     const std::size_t earlier = search_->candidates[search_->next];
-    const bool again = earlier + kInView < submaps_.size();
+    const bool again = earlier + kInView < known_.submaps.size();
     View& view = again ? search_->with_before : search_->newest;
     if (!view.loops) {
       look(view, again ? kBefore : 0);
       return true;
     }
     ++search_->next;
-    ++counts_.searched;
-    if (auto loop = view.loops->find(submaps_[earlier], search_->others[earlier])) {
-      ++counts_.found;
+    ++known_.counts.searched;
+    if (auto loop = view.loops->find(known_.submaps[earlier], search_->others[earlier])) {
+      ++known_.counts.found;
       loop->edge.from = earlier;
-      loop->edge.to = submaps_.size() - 1;
-      pending_.push_back(*loop);
+      loop->edge.to = known_.submaps.size() - 1;
+      known_.pending.push_back(*loop);
     }
     return true;
   }
   for (const View* view : {&search_->newest, &search_->with_before})
-    if (view->loops) counts_.visited += view->loops->visited();
-  const std::size_t newest = submaps_.size() - 1;
+    if (view->loops) known_.counts.visited += view->loops->visited();
+  const std::size_t newest = known_.submaps.size() - 1;
   around_.clear();
   for (std::size_t k = 0; k <= newest; ++k) {
     const UncertainPose& X = search_->others[k];
     const double distance = X.X.position().norm();
-    if (submaps_[k].marginalised || distance > 2.0 * kPlaceReach) continue;
+    if (known_.submaps[k].marginalised || distance > 2.0 * kPlaceReach) continue;
     around_.push_back(k);
     if (distance > kPlaceReach || overlap(k, newest)) continue;
     if (3.0 * std::sqrt(X.covariance.topLeftCorner<2, 2>().trace()) <= kWide) review_.push_back(k);
@@ -121,85 +106,86 @@ bool LoopClosing::advance() {
 }
 
 void LoopClosing::place(std::vector<Pose2> X_MS) {
-  if (!submaps_.empty() && submaps_.front().marginalised) {
+  if (!known_.submaps.empty() && known_.submaps.front().marginalised) {
     // The first pose is not there any more to hold the map's frame: all that are hold it together.
     RigidFit fit;
-    for (std::size_t k = 0; k < submaps_.size(); ++k)
-      if (!submaps_[k].marginalised) fit.add(X_MS_[k].position(), X_MS[k].position());
+    for (std::size_t k = 0; k < known_.submaps.size(); ++k)
+      if (!known_.submaps[k].marginalised) fit.add(known_.X_MS[k].position(), X_MS[k].position());
     const Pose2 X = fit.X_AB();
     for (Pose2& pose : X_MS) pose = X * pose;
   }
-  X_MS_ = std::move(X_MS);
-  for (std::size_t k = 0; k < submaps_.size(); ++k)
-    if (const auto& anchor = submaps_[k].marginalised) X_MS_[k] = X_MS_[anchor->submap] * anchor->X_AS;
+  known_.X_MS = std::move(X_MS);
+  for (std::size_t k = 0; k < known_.submaps.size(); ++k)
+    if (const auto& anchor = known_.submaps[k].marginalised)
+      known_.X_MS[k] = known_.X_MS[anchor->submap] * anchor->X_AS;
 }
 
 void LoopClosing::marginalise_if_seen_again(std::size_t submap) {
-  if (!is_seen_again(submap, around_, submaps_, X_MS_, nodes_)) return;
-  auto rest = marginalise(submap, edges_, X_MS_);
+  if (!is_seen_again(submap, around_, known_.submaps, known_.X_MS, nodes_)) return;
+  auto rest = marginalise(submap, known_.edges, known_.X_MS);
   if (!rest) return;
-  edges_ = std::move(rest->edges);
-  const Pose2 X_AS = inverse(X_MS_[rest->anchor]) * X_MS_[submap];
-  for (Submap& other : submaps_)
+  known_.edges = std::move(rest->edges);
+  const Pose2 X_AS = inverse(known_.X_MS[rest->anchor]) * known_.X_MS[submap];
+  for (Submap& other : known_.submaps)
     if (other.marginalised && other.marginalised->submap == submap)
       other.marginalised = Submap::Anchor{rest->anchor, X_AS * other.marginalised->X_AS};
-  Submap& left = submaps_[submap];
+  Submap& left = known_.submaps[submap];
   left.marginalised = Submap::Anchor{rest->anchor, X_AS};
   left.surfaces = {};
   std::erase_if(nodes_, [&](const auto& node) { return node.second.placement.submap == submap; });
-  std::erase_if(pending_,
+  std::erase_if(known_.pending,
                 [&](const Loop& loop) { return loop.edge.from == submap || loop.edge.to == submap; });
-  ++counts_.marginalised;
+  ++known_.counts.marginalised;
 }
 
 void LoopClosing::settle() {
-  if (!settled_) optimisation_.emplace(edges_, X_MS_);
+  if (!settled_) optimisation_.emplace(known_.edges, known_.X_MS);
   settled_ = true;
 }
 
 void LoopClosing::take_up() {
-  const std::size_t index = submaps_.size();
-  submaps_.push_back(std::move(waiting_.front()));
+  const std::size_t index = known_.submaps.size();
+  known_.submaps.push_back(std::move(waiting_.front()));
   waiting_.pop_front();
-  Submap& submap = submaps_.back();
+  Submap& submap = known_.submaps.back();
   submap.all_round = all_round(submap.surfaces);
   submap.centre = centre(submap.surfaces);
   if (index == 0) {
-    X_MS_.emplace_back();
+    known_.X_MS.emplace_back();
     return;
   }
   submap.X_PS.covariance.diagonal() += Eigen::Vector3d{kJointNoise * kJointNoise, kJointNoise * kJointNoise,
                                                        kJointTurnNoise * kJointTurnNoise};
   const std::size_t parent = submap.parent(index);
-  X_MS_.push_back(X_MS_[parent] * submap.X_PS.X);
-  if (const auto& anchor = submaps_[parent].marginalised)
-    edges_.push_back(
+  known_.X_MS.push_back(known_.X_MS[parent] * submap.X_PS.X);
+  if (const auto& anchor = known_.submaps[parent].marginalised)
+    known_.edges.push_back(
         {anchor->submap, index, UncertainPose{anchor->X_AS, Eigen::Matrix3d::Zero()} * submap.X_PS, false});
   else
-    edges_.push_back({parent, index, submap.X_PS, false});
-  newest_in_first_ = submap.found_in ? in_first(index) : newest_in_first_ * submap.X_PS;
+    known_.edges.push_back({parent, index, submap.X_PS, false});
+  known_.newest_in_first = submap.found_in ? in_first(index) : known_.newest_in_first * submap.X_PS;
   if (options_.do_loop_closing) begin_search();
 }
 
 void LoopClosing::begin_search() {
-  const std::size_t later = submaps_.size() - 1;
+  const std::size_t later = known_.submaps.size() - 1;
   search_ = std::make_shared<Search>();
   Search& search = *search_;
-  search.others = relative_to(later, edges_, X_MS_);
-  newest_in_first_ = in_first(later);
+  search.others = relative_to(later, known_.edges, known_.X_MS);
+  known_.newest_in_first = in_first(later);
   search.candidates = candidates(search.others);
 }
 
 void LoopClosing::look(View& view, std::size_t before) const {
-  const std::size_t later = submaps_.size() - 1;
-  const Submap& submap = submaps_[later];
+  const std::size_t later = known_.submaps.size() - 1;
+  const Submap& submap = known_.submaps[later];
   // Frames of the ones before, in the newest; the first scan of a submap may have been placed in the second one
   // before it, which ended there.
   std::vector<Pose2> X_SK{Pose2{}};
-  for (std::size_t k = later; k > 0 && !submaps_[k].found_in && X_SK.size() <= before + 2; --k)
-    X_SK.push_back(X_SK.back() * inverse(submaps_[k].X_PS.X));
+  for (std::size_t k = later; k > 0 && !known_.submaps[k].found_in && X_SK.size() <= before + 2; --k)
+    X_SK.push_back(X_SK.back() * inverse(known_.submaps[k].X_PS.X));
   before = std::min(before, X_SK.size() - 1);
-  const Submap& first = submaps_[later - before];
+  const Submap& first = known_.submaps[later - before];
   view.walls = submap.surfaces;
   if (before > 0) {
     // Walls that both saw, once: a cell has one surface.
@@ -222,7 +208,7 @@ void LoopClosing::look(View& view, std::size_t before) const {
 }
 
 std::vector<std::size_t> LoopClosing::candidates(const std::vector<UncertainPose>& others) {
-  const std::size_t later = submaps_.size() - 1;
+  const std::size_t later = known_.submaps.size() - 1;
   struct Candidate {
     std::size_t submap = 0;
     double distance = 0.0;  // [m], or in standard deviations
@@ -231,13 +217,13 @@ std::vector<std::size_t> LoopClosing::candidates(const std::vector<UncertainPose
   std::vector<Candidate> far;
   const double reach = options_.loop_search_maximum_distance;
   for (std::size_t j = 0; j < later; ++j) {
-    if (submaps_[j].marginalised || overlap(j, later)) continue;
+    if (known_.submaps[j].marginalised || overlap(j, later)) continue;
     const double sigma = std::sqrt(others[j].covariance.topLeftCorner<2, 2>().trace());
-    const double distance = (others[j].X * submaps_[j].centre - submaps_[later].centre).norm();
+    const double distance = (others[j].X * known_.submaps[j].centre - known_.submaps[later].centre).norm();
     if (distance - 3.0 * sigma > reach) continue;
     if (3.0 * sigma <= kWide)
       near.push_back({j, distance});
-    else if (submaps_[later].all_round > kAllRound && submaps_[j].all_round > kAllRound)
+    else if (known_.submaps[later].all_round > kAllRound && known_.submaps[j].all_round > kAllRound)
       far.push_back({j, std::max(0.0, distance - reach) / sigma});
   }
   const auto nearer = [](const Candidate& a, const Candidate& b) {
@@ -250,43 +236,43 @@ std::vector<std::size_t> LoopClosing::candidates(const std::vector<UncertainPose
   // Of many, some each time, so that all have their turn.
   std::sort(far.begin(), far.end(), nearer);
   for (std::size_t k = 0; k < std::min(far.size(), kMostFar); ++k)
-    chosen.push_back(far[turn_++ % far.size()].submap);
+    chosen.push_back(far[known_.turn++ % far.size()].submap);
   return chosen;
 }
 
 bool LoopClosing::overlap(std::size_t earlier, std::size_t later) const {
   if (later - earlier >= kOverlapping) return false;
   for (; later > earlier; --later)
-    if (submaps_[later].found_in) return false;
+    if (known_.submaps[later].found_in) return false;
   return true;
 }
 
 bool LoopClosing::accept() {
-  std::vector<bool> taken(pending_.size(), false);
+  std::vector<bool> taken(known_.pending.size(), false);
   bool any = false;
-  for (std::size_t i = 0; i < pending_.size(); ++i) {
+  for (std::size_t i = 0; i < known_.pending.size(); ++i) {
     if (taken[i]) continue;
-    if (pending_[i].window <= kSure) {
+    if (known_.pending[i].window <= kSure) {
       taken[i] = true;
       continue;
     }
-    const std::vector<std::size_t> clique = supporters(i, pending_, submaps_);
+    const std::vector<std::size_t> clique = supporters(i, known_.pending, known_.submaps);
     if (clique.size() < kSupport) continue;
     for (const std::size_t k : clique) taken[k] = true;
   }
   std::vector<Loop> left;
-  for (std::size_t i = 0; i < pending_.size(); ++i) {
+  for (std::size_t i = 0; i < known_.pending.size(); ++i) {
     if (!taken[i]) {
-      left.push_back(pending_[i]);
+      left.push_back(known_.pending[i]);
       continue;
     }
-    if (disagreement(pending_[i].edge, X_MS_) > kAgrees) any = true;
+    if (disagreement(known_.pending[i].edge, known_.X_MS) > kAgrees) any = true;
     settled_ = false;
-    ++counts_.accepted;
-    edges_.push_back(pending_[i].edge);
+    ++known_.counts.accepted;
+    known_.edges.push_back(known_.pending[i].edge);
   }
   if (left.size() > kWaiting) left.erase(left.begin(), left.end() - kWaiting);
-  pending_ = std::move(left);
+  known_.pending = std::move(left);
   return any;
 }
 

@@ -6,6 +6,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "components/slam/loop_search.hpp"
@@ -33,16 +34,16 @@ class LoopClosing {
     std::vector<Edge> edges;
     std::vector<Loop> pending;  ///< wait for support
     UncertainPose newest_in_first;
-    std::size_t turn = 0;
+    std::size_t turn = 0;  ///< of the candidates that are far
     LoopCounts counts;
   };
   /// `nodes`: those that the submaps name; outlives this. They leave with their submap.
   LoopClosing(const SlamOptions& options, Nodes& nodes) : options_(options), nodes_(nodes) {}
-
   /// Takes up what was left.
-  LoopClosing(const SlamOptions& options, Nodes& nodes, State state);
+  LoopClosing(const SlamOptions& options, Nodes& nodes, State state)
+      : options_(options), nodes_(nodes), known_(std::move(state)) {}
   /// With no work left.
-  State state() const;
+  const State& state() const { return known_; }
 
   void add(const Submap& submap) { waiting_.push_back(submap); }
 
@@ -52,17 +53,17 @@ class LoopClosing {
   void settle();
 
   /// Of submaps that were taken up: those that wait are not among them.
-  const std::vector<Submap>& submaps() const { return submaps_; }
-  const std::vector<Pose2>& X_MS() const { return X_MS_; }
+  const std::vector<Submap>& submaps() const { return known_.submaps; }
+  const std::vector<Pose2>& X_MS() const { return known_.X_MS; }
   const std::deque<Submap>& waiting() const { return waiting_; }
-  const std::vector<Edge>& edges() const { return edges_; }
-  const LoopCounts& counts() const { return counts_; }
+  const std::vector<Edge>& edges() const { return known_.edges; }
+  const LoopCounts& counts() const { return known_.counts; }
   /// Pose of the newest of them in the first, with the covariance of all edges together.
-  const UncertainPose& newest_in_first() const { return newest_in_first_; }
+  const UncertainPose& newest_in_first() const { return known_.newest_in_first; }
   /// The same of any of them that is there.
   UncertainPose in_first(std::size_t submap) const;
   /// Counts up whenever submaps moved or left.
-  std::int64_t revision() const { return counts_.optimisations + counts_.marginalised; }
+  std::int64_t revision() const { return known_.counts.optimisations + known_.counts.marginalised; }
 
  private:
   struct View;
@@ -82,18 +83,12 @@ class LoopClosing {
   SlamOptions options_;
   Nodes& nodes_;
   std::deque<Submap> waiting_;
-  std::vector<Submap> submaps_;
-  std::vector<Pose2> X_MS_;
-  std::vector<Edge> edges_;
-  std::vector<Loop> pending_;
+  State known_;
   std::shared_ptr<Search> search_;  ///< of the newest submap
   std::optional<Optimisation> optimisation_;
   std::vector<std::size_t> review_;  ///< submaps that the newest may have seen again: may they leave?
   std::vector<std::size_t> around_;  ///< all that may have seen the same as these
-  UncertainPose newest_in_first_;
-  std::size_t turn_ = 0;  ///< of the candidates that are far
-  LoopCounts counts_;
-  bool settled_ = true;  ///< no loop came since the last optimisation began
+  bool settled_ = true;              ///< no loop came since the last optimisation began
 };
 
 }  // namespace bw::slam

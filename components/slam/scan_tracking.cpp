@@ -19,26 +19,15 @@ constexpr double kSlightlyBetter = 0.02;
 constexpr double kBetterBy = 0.1;
 constexpr double kMostAcceleration = 1.5;      // [m/s^2] of a base whose odometry is in time
 constexpr double kMostTurnAcceleration = 3.0;  // [rad/s^2]
-constexpr double kLate = 0.15;                 // [m] by which a pose can be off while odometry is late
-constexpr double kLateTurn = 0.12;             // [rad]
 constexpr double kMostWindow = 0.5;            // [m]
 constexpr double kMostLateTurn = 0.4;          // [rad]
 constexpr double kTurnAsTravel = 0.3;          // [m/rad] a turn shows new walls as travel does
 constexpr double kTelling = 0.8;               // share of inliers of a scan that tells how odometry errs
 
+// By which a pose can be off while odometry is late: 0.15 m and 0.12 rad.
+const Eigen::Vector3d kLateVariance{0.15 * 0.15, 0.15 * 0.15, 0.12 * 0.12};
+
 }  // namespace
-
-ScanTracking::Active::Active(double resolution, const State::Active& state)
-    : surface(resolution, state.surface),
-      X_SB(state.X_SB),
-      X_before(state.X_before),
-      joint{state.found_in, state.X_PS},
-      travel(state.travel),
-      first_node(state.first_node) {}
-
-ScanTracking::State::Active ScanTracking::Active::state() const {
-  return {surface.state(), X_SB, X_before, joint.found_in, joint.X_PS, travel, first_node};
-}
 
 Submap ScanTracking::Active::finished(std::size_t nodes) const {
   Submap submap;
@@ -50,35 +39,15 @@ Submap ScanTracking::Active::finished(std::size_t nodes) const {
   return submap;
 }
 
-ScanTracking::ScanTracking(const SlamOptions& options, const State& state)
-    : options_(options),
-      submap_(state.submap),
-      X_OB_(state.X_OB),
-      trust_(state.travel_factor, state.turn_factor),
-      time_(state.time),
-      step_before_(state.step_before),
-      odometry_before_(state.odometry_before),
-      late_(state.late),
-      since_node_(state.since_node),
-      turned_since_node_(state.turned_since_node) {
+ScanTracking::ScanTracking(const SlamOptions& options, const State& state) : options_(options), now_(state) {
   if (state.older) older_.emplace(options.resolution, *state.older);
   if (state.younger) younger_.emplace(options.resolution, *state.younger);
 }
 
 ScanTracking::State ScanTracking::state() const {
-  State state;
-  state.submap = submap_;
+  State state{now_, std::nullopt, std::nullopt};
   if (older_) state.older = older_->state();
   if (younger_) state.younger = younger_->state();
-  state.X_OB = X_OB_;
-  state.travel_factor = trust_.travel();
-  state.turn_factor = trust_.turn();
-  state.time = time_;
-  state.step_before = step_before_;
-  state.odometry_before = odometry_before_;
-  state.late = late_;
-  state.since_node = since_node_;
-  state.turned_since_node = turned_since_node_;
   return state;
 }
 
@@ -101,14 +70,14 @@ ScanTracking::Match ScanTracking::match(const Scan& scan, const UncertainPose& p
     if (refined.inliers > best.refined.inliers + kSlightlyBetter) best.refined = refined;
   }
   if (best.refined.inliers >= kGoodMatch) {
-    late_ = false;
+    now_.late = false;
     return best;
   }
-  if (!late_) return best;
+  if (!now_.late) return best;
   // Odometry that came late stands still and then jumps: as likely as what it says is that the motion went on.
-  for (const Pose2& start : {predicted.X, older_->X_before * step_before_}) {
+  for (const Pose2& start : {predicted.X, older_->X_before * now_.step_before}) {
     UncertainPose wide{start, predicted.covariance};
-    wide.covariance.diagonal() += Eigen::Vector3d{kLate * kLate, kLate * kLate, kLateTurn * kLateTurn};
+    wide.covariance.diagonal() += kLateVariance;
     const auto window = [&](int axis, double most) {
       return std::min(2.0 * std::sqrt(wide.covariance(axis, axis)), most);
     };
@@ -130,7 +99,7 @@ int ScanTracking::held(const Scan& scan, const Pose2& X_OB, double inliers) {
   const bool at_once =
       met_X_OB_ && std::hypot(moved.x, moved.y) < kHardlyMoved && std::abs(moved.theta) < kHardlyMoved;
   // Odometry that came late is another reason.
-  return held_ = at_once && !late_ ? 1 : 0;
+  return held_ = at_once && !now_.late ? 1 : 0;
 }
 
 Tracked ScanTracking::add(const Scan& scan, const Pose2& X_OB, std::size_t nodes) {
@@ -141,16 +110,20 @@ Tracked ScanTracking::add(const Scan& scan, const Pose2& X_OB, std::size_t nodes
     met_X_OB_ = X_OB;
     held_ = 0;
   } else {
-    const Pose2 X_step = inverse(X_OB_) * X_OB;
-    const UncertainPose step{X_step, trust_.covariance(X_step, options_)};
+    const double seconds = std::max(1e-3, (scan.time - now_.time).to_seconds());
+    result.by_odometry = inverse(now_.X_OB) * X_OB;
+    const bool jumped = is_jump(result.by_odometry, seconds);
+    const Pose2 X_step = jumped ? now_.step_before : result.by_odometry;
+    UncertainPose step{X_step, now_.trust.covariance(X_step, options_)};
+    if (jumped) step.covariance.diagonal() += kLateVariance;
     const double travel = std::hypot(step.X.x, step.X.y);
     older_->X_before = older_->X_SB.X;
     older_->X_SB = older_->X_SB * step;
     if (younger_) younger_->X_SB = younger_->X_SB * step;
-    const double seconds = std::max(1e-3, (scan.time - time_).to_seconds());
-    const Eigen::Vector3d jolt = difference(step.X, odometry_before_) / (seconds * seconds);
-    late_ = late_ || jolt.head<2>().norm() > kMostAcceleration || std::abs(jolt.z()) > kMostTurnAcceleration;
-    odometry_before_ = step.X;
+    const Eigen::Vector3d jolt = difference(step.X, now_.odometry_before) / (seconds * seconds);
+    now_.late = now_.late || jumped || jolt.head<2>().norm() > kMostAcceleration ||
+                std::abs(jolt.z()) > kMostTurnAcceleration;
+    now_.odometry_before = step.X;
     const Match found = match(scan, older_->X_SB);
     result.match = found.refined;
     result.held = held(scan, X_OB, result.match.inliers);
@@ -169,40 +142,39 @@ Tracked ScanTracking::add(const Scan& scan, const Pose2& X_OB, std::size_t nodes
                           updated(younger_->X_SB.covariance, R.transpose() * result.match.information * R)};
       }
     }
-    if (result.match.inliers >= kTelling && !late_) {
+    if (result.match.inliers >= kTelling && !now_.late) {
       const Eigen::Matrix3d R = by_second(older_->X_before);
-      trust_.learn(X_step, inverse(older_->X_before) * result.match.X,
-                   R.transpose() * found.prior.covariance * R, R.transpose() * result.match.information * R,
-                   options_);
+      now_.trust.learn(X_step, inverse(older_->X_before) * result.match.X,
+                       R.transpose() * found.prior.covariance * R,
+                       R.transpose() * result.match.information * R, options_);
     }
-    step_before_ = inverse(older_->X_before) * older_->X_SB.X;
-    result.by_odometry = step.X;
-    result.by_scan = step_before_;
-    since_node_ += travel;
-    turned_since_node_ += std::abs(step.X.theta);
+    now_.step_before = inverse(older_->X_before) * older_->X_SB.X;
+    result.by_scan = now_.step_before;
+    now_.since_node += travel;
+    now_.turned_since_node += std::abs(step.X.theta);
     const double progress = travel + kTurnAsTravel * std::abs(step.X.theta);
     older_->travel += progress;
     if (younger_) younger_->travel += progress;
-    result.enters_map = result.held == 0 && (since_node_ >= options_.minimum_travel_distance ||
-                                             turned_since_node_ >= options_.minimum_travel_heading);
+    result.enters_map = result.held == 0 && (now_.since_node >= options_.minimum_travel_distance ||
+                                             now_.turned_since_node >= options_.minimum_travel_heading);
   }
-  X_OB_ = X_OB;
-  time_ = scan.time;
+  now_.X_OB = X_OB;
+  now_.time = scan.time;
   if (result.enters_map) {
-    since_node_ = 0.0;
-    turned_since_node_ = 0.0;
+    now_.since_node = 0.0;
+    now_.turned_since_node = 0.0;
     older_->surface.insert(scan.points, older_->X_SB.X);
     if (younger_) younger_->surface.insert(scan.points, younger_->X_SB.X);
   }
   const double half = 0.5 * options_.submap_length;
   result.X_SB = older_->X_SB;
-  result.placement = {submap_, older_->X_SB.X, younger_ ? std::min(1.0, younger_->travel / half) : 0.0};
+  result.placement = {now_.submap, older_->X_SB.X, younger_ ? std::min(1.0, younger_->travel / half) : 0.0};
   if (!result.enters_map) return result;
   if (younger_ && younger_->travel >= half) {
     result.finished = older_->finished(nodes);
     older_ = std::move(younger_);
     younger_.reset();
-    ++submap_;
+    ++now_.submap;
   }
   if (!younger_ && older_->travel >= half) {
     younger_ = begun(nodes, {std::nullopt, older_->X_SB});
@@ -217,23 +189,23 @@ std::vector<Submap> ScanTracking::finish(std::size_t nodes) {
     if (*active) submaps.push_back((*active)->finished(nodes));
     active->reset();
   }
-  submap_ += submaps.size();
+  now_.submap += submaps.size();
   return submaps;
 }
 
 void ScanTracking::begin_at(std::size_t found_in, const UncertainPose& X_PB) {
   start_ = {found_in, X_PB};
-  late_ = false;
+  now_.late = false;
   met_X_OB_.reset();
-  odometry_before_ = {};
-  step_before_ = {};
-  since_node_ = 0.0;
-  turned_since_node_ = 0.0;
+  now_.odometry_before = {};
+  now_.step_before = {};
+  now_.since_node = 0.0;
+  now_.turned_since_node = 0.0;
 }
 
 std::optional<ScanTracking::Joint> ScanTracking::joint(std::size_t submap) const {
-  if (older_ && submap == submap_) return older_->joint;
-  if (younger_ && submap == submap_ + 1) return younger_->joint;
+  if (older_ && submap == now_.submap) return older_->joint;
+  if (younger_ && submap == now_.submap + 1) return younger_->joint;
   return std::nullopt;
 }
 

@@ -1,6 +1,8 @@
 // Where the robot is among what it saw last: each scan against the submap under way, with odometry as the prior.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "components/slam/odometry_trust.hpp"
@@ -19,7 +21,7 @@ struct Tracked {
   /// hardly moved by odometry since: somebody carried it away. None of them enters the map. 0 unless
   /// SlamOptions::holds_back.
   int held = 0;
-  Pose2 by_odometry;               ///< the step from the scan before
+  Pose2 by_odometry;               ///< the step from the scan before, as odometry has it
   Pose2 by_scan;                   ///< the same with what the scan says
   std::optional<Submap> finished;  ///< placement is in it still; later ones are in the next
 };
@@ -27,31 +29,44 @@ struct Tracked {
 /// Points of a scan; fewer say nothing of where the robot is.
 inline constexpr std::size_t kFewPoints = 30;
 
+/// Whether odometry jumped: no base drives a step so long between two scans, of which none is 400 m.
+inline bool is_jump(const Pose2& step, double seconds) {
+  constexpr double kFastest = 3.0;  // [m/s]
+  return std::hypot(step.x, step.y) > std::clamp(kFastest * seconds, 0.5, 400.0);
+}
+
 class ScanTracking {
  public:
-  /// All of it between two scans, but which of them are held back.
-  struct State {
-    struct Active {
-      SurfaceMap::State surface;
-      UncertainPose X_SB;
-      Pose2 X_before;
-      std::optional<std::size_t> found_in;
-      UncertainPose X_PS;
-      double travel = 0.0;
-      std::size_t first_node = 0;
-    };
-    std::size_t submap = 0;
-    std::optional<Active> older;
-    std::optional<Active> younger;
+  struct Joint {
+    std::optional<std::size_t> found_in;  ///< as Submap's
+    UncertainPose X_PS;
+  };
+  /// A submap under way, but for its walls.
+  struct UnderWay {
+    UncertainPose X_SB;
+    Pose2 X_before;
+    Joint joint;
+    double travel = 0.0;  ///< [m], with turns as so much travel
+    std::size_t first_node = 0;
+  };
+  struct Motion {
+    std::size_t submap = 0;  ///< number of the older one under way
     Pose2 X_OB;
-    double travel_factor = 0.0;  ///< OdometryTrust
-    double turn_factor = 0.0;
+    OdometryTrust trust;
     Time time;
     Pose2 step_before;
-    Pose2 odometry_before;
-    bool late = false;
-    double since_node = 0.0;
-    double turned_since_node = 0.0;
+    Pose2 odometry_before;           ///< the last step by odometry
+    bool late = false;               ///< odometry stood still or jumped
+    double since_node = 0.0;         ///< [m]
+    double turned_since_node = 0.0;  ///< [rad]
+  };
+  /// All of it between two scans, but which of them are held back.
+  struct State : Motion {
+    struct Active : UnderWay {
+      SurfaceMap::State surface;
+    };
+    std::optional<Active> older;
+    std::optional<Active> younger;
   };
 
   explicit ScanTracking(const SlamOptions& options) : options_(options) {}
@@ -65,30 +80,22 @@ class ScanTracking {
   /// With nothing under way: the next scan begins a submap at X_PB in submap `found_in`.
   void begin_at(std::size_t found_in, const UncertainPose& X_PB);
 
-  struct Joint {
-    std::optional<std::size_t> found_in;  ///< as Submap's
-    UncertainPose X_PS;
-  };
   /// How a submap hangs on its parent, if it is under way.
   std::optional<Joint> joint(std::size_t submap) const;
   /// Number of the submap that scans are matched against, and its walls; null before the first scan.
-  std::size_t submap() const { return submap_; }
+  std::size_t submap() const { return now_.submap; }
   const SurfaceMap* walls() const { return older_ ? &older_->surface : nullptr; }
 
-  const OdometryTrust& trust() const { return trust_; }
+  const OdometryTrust& trust() const { return now_.trust; }
 
  private:
-  struct Active {
+  struct Active : UnderWay {
     explicit Active(double resolution) : surface(resolution) {}
-    Active(double resolution, const State::Active& state);
-    State::Active state() const;
+    Active(double resolution, const State::Active& state)
+        : UnderWay(state), surface(resolution, state.surface) {}
+    State::Active state() const { return {*this, surface.state()}; }
     Submap finished(std::size_t nodes) const;
     SurfaceMap surface;
-    UncertainPose X_SB;
-    Pose2 X_before;
-    Joint joint;
-    double travel = 0.0;  ///< [m], with turns as so much travel
-    std::size_t first_node = 0;
   };
   Active begun(std::size_t node, const Joint& joint) const;
   struct Match {
@@ -100,20 +107,12 @@ class ScanTracking {
   int held(const Scan& scan, const Pose2& X_OB, double inliers);
 
   SlamOptions options_;
-  std::size_t submap_ = 0;  ///< number of older_
+  Motion now_;
   std::optional<Active> older_;
   std::optional<Active> younger_;
-  Joint start_;  ///< of the next submap, if nothing is under way
-  Pose2 X_OB_;
-  OdometryTrust trust_;
-  Time time_;
-  Pose2 step_before_;
-  Pose2 odometry_before_;          ///< the last step by odometry
-  bool late_ = false;              ///< odometry stood still or jumped
+  Joint start_;                    ///< of the next submap, if nothing is under way
   std::optional<Pose2> met_X_OB_;  ///< of the newest scan that met the map
   int held_ = 0;
-  double since_node_ = 0.0;         ///< [m]
-  double turned_since_node_ = 0.0;  ///< [rad]
 };
 
 }  // namespace bw::slam

@@ -15,7 +15,6 @@ constexpr double kSlip = 0.08;      // [m]
 constexpr double kSlipShare = 0.3;  // of what the wheels say
 constexpr double kTurnSlip = 0.15;  // [rad]
 constexpr double kTelling = 0.6;    // share of inliers of a scan that tells of slip
-constexpr double kFastest = 3.0;    // [m/s] of any base this is for
 
 }  // namespace
 
@@ -33,7 +32,7 @@ void HealthWatch::add(const Tracked& tracked, std::size_t points, const Pose2& X
   }
   const Step step{time, difference(tracked.by_odometry, {}), difference(tracked.by_scan, {})};
   const double seconds = steps_.empty() ? 0.0 : (time - steps_.back().time).to_seconds();
-  if (seconds > 0.0 && step.wheels.head<2>().norm() > std::max(0.5, kFastest * seconds)) {
+  if (seconds > 0.0 && is_jump(tracked.by_odometry, seconds)) {
     jumped_ = time;
     jump_ = step.wheels.head<2>().norm();
   }

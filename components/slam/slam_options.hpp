@@ -42,6 +42,15 @@ struct SlamOptions {
        .doc = "a scan enters the map after so much turning"});
     v("do_loop_closing", do_loop_closing, {.doc = "recognise places that were seen before"});
   }
+  /// What code alone sets.
+  template <class Visitor>
+  void fixed_fields(Visitor& v) {
+    v("submap_length", submap_length, {.min = 0.1, .max = 100});
+    v("loop_search_maximum_distance", loop_search_maximum_distance, {.min = 0, .max = 1000});
+    v("odometry_turn_noise", odometry_turn_noise, {.min = 0, .max = 10});
+    v("odometry_travel_noise", odometry_travel_noise, {.min = 0, .max = 10});
+    v("odometry_heading_noise", odometry_heading_noise, {.min = 0, .max = 10});
+  }
 };
 
 }  // namespace bw::slam
