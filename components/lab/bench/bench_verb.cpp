@@ -248,9 +248,10 @@ void add_slam(cli::Verb bench) {
             for (const buildings::BuildingKind kind : buildings::kBuildingKinds) {
               if (name == "all" || name == buildings::to_text(kind)) slam->kinds.push_back(kind);
             }
+            if (name == "campus") slam->kinds = {buildings::BuildingKind::campus};
           },
-          "office (default), corridors, loop, pillars, warehouse, or all")
-      .one_of({"office", "corridors", "loop", "pillars", "warehouse", "all"});
+          "office (default), corridors, loop, pillars, warehouse, all of these, or campus")
+      .one_of({"office", "corridors", "loop", "pillars", "warehouse", "all", "campus"});
   verb.option("--seeds", slam->seeds, "Buildings of each kind (1)").within(1, 10000);
   verb.option("--first", slam->first, "Seed of the first (1)");
   verb.option("--walkers", slam->drive.walkers, "People who walk about (0)").within(0, 1000);

@@ -22,6 +22,8 @@ FloorPlan plan_of(BuildingKind kind, Random& random) {
       return plan_pillars(random);
     case BuildingKind::warehouse:
       return plan_warehouse(random);
+    case BuildingKind::campus:
+      return plan_campus(random);
   }
   throw std::invalid_argument("no such kind of building");
 }
@@ -40,6 +42,8 @@ const char* to_text(BuildingKind kind) {
       return "pillars";
     case BuildingKind::warehouse:
       return "warehouse";
+    case BuildingKind::campus:
+      return "campus";
   }
   return "unknown";
 }

@@ -16,8 +16,10 @@ enum class BuildingKind {
   corridors,  ///< three long corridors and two across; hardly a feature on the walls
   loop,       ///< one corridor in a ring of 400 m
   pillars,    ///< a hall of pillars that all look the same
-  warehouse   ///< aisles between shelves
+  warehouse,  ///< aisles between shelves
+  campus      ///< 480 furnished rooms along ten corridors, 200 x 200 m: two hours
 };
+/// But for the campus, which takes long.
 inline constexpr std::array kBuildingKinds = {BuildingKind::office, BuildingKind::corridors,
                                               BuildingKind::loop, BuildingKind::pillars,
                                               BuildingKind::warehouse};

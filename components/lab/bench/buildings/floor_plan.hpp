@@ -57,5 +57,6 @@ FloorPlan plan_corridors(Random& random);
 FloorPlan plan_loop(Random& random);
 FloorPlan plan_pillars(Random& random);
 FloorPlan plan_warehouse(Random& random);
+FloorPlan plan_campus(Random& random);
 
 }  // namespace bw::buildings

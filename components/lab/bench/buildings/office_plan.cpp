@@ -133,4 +133,45 @@ FloorPlan plan_office(Random& random, std::uint64_t arrangement) {
   return plan;
 }
 
+// Ten corridors one above the other, 20 m apart, between two that join their ends; on either side of each a row of 24
+// rooms. The route goes through all, to and fro, into every eighth room, back to the first and through it again.
+FloorPlan plan_campus(Random& random) {
+  constexpr double kSide = 200.0;
+  constexpr int kCorridors = 10;
+  constexpr int kRooms = 24;
+  constexpr double kCorridor = 2.4;
+  constexpr double kPitch = kSide / kCorridors;
+  FloorPlan plan;
+  const double west = kCorridor / 2.0;
+  const double east = kSide - kCorridor / 2.0;
+  const double north = kSide - kPitch / 2.0;
+  for (const double x : {west, east}) plan.carve_corridor({x, kPitch / 2.0}, {x, north}, kCorridor);
+  for (int k = 0; k < kCorridors; ++k) {
+    const double y = (k + 0.5) * kPitch;
+    const double depth = (kPitch - kCorridor - 3.0 * kWallThickness) / 2.0;
+    const double edge = kCorridor / 2.0 + kWallThickness;
+    const double inset = kCorridor + kWallThickness;
+    const bool eastwards = k % 2 == 0;
+    plan.carve_corridor({west, y}, {east, y}, kCorridor);
+    std::vector<Door> doors;
+    for (const double low : {y - edge - depth, y + edge}) {
+      const std::vector<Door> row =
+          carve_row(plan, {inset, kSide - inset, low, low + depth, y, kRooms}, random);
+      for (std::size_t i = 0; i < row.size(); i += 8) doors.push_back(row[i]);
+    }
+    plan.route.emplace_back(eastwards ? west : east, y);
+    visit_all(plan, doors, eastwards, random);
+    plan.route.emplace_back(eastwards ? east : west, y);
+  }
+  for (const double x : {west, east}) plan.route.emplace_back(x, kPitch / 2.0);
+  for (const Rectangle& room : std::vector(plan.rooms)) furnish(plan, room, {.count = 6}, random);
+  for (int k = 0; k < kCorridors; ++k) {
+    const Vector2 half(kSide / 2.0, kCorridor / 2.0);
+    const Vector2 center(kSide / 2.0, (k + 0.5) * kPitch);
+    furnish(plan, {center - half, center + half},
+            {.count = 30, .longest = 1.2, .deepest = 0.45, .along_walls = 1.0}, random);
+  }
+  return plan;
+}
+
 }  // namespace bw::buildings
