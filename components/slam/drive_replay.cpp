@@ -101,6 +101,12 @@ class Replay {
  public:
   Replay(const RecordedDrive& drive, const SlamOptions& options, const ReplayHooks& hooks, SlamReplay& result)
       : drive_(drive), options_(options), hooks_(hooks), result_(result) {
+    if (hooks.clock)
+      result.slam.work_beside([this](const std::function<void()>& work) {
+        const double before = now();
+        work();
+        result_.graph_times.push_back(now() - before);
+      });
     if (result.scans.empty()) return;
     search_ = std::make_unique<PlaceSearch>(result.slam);
     later_ = result.scans.back().time + Duration::seconds(60.0) - drive.scans.front().time;
@@ -112,6 +118,7 @@ class Replay {
       add(drive_.scans[n]);
     }
     if (!search_) result_.slam.finish();
+    result_.slam.work_beside({});
     const std::vector<std::string> sentences = dropped_.sentences();
     result_.left_out.insert(result_.left_out.end(), sentences.begin(), sentences.end());
   }
@@ -195,8 +202,12 @@ class Replay {
   void work_on_loops() {
     for (bool more = true; more;) {
       const double before = now();
+      const std::size_t graphs = result_.graph_times.size();
       more = result_.slam.advance();
-      if (hooks_.clock && more) result_.piece_times.push_back(now() - before);
+      if (!hooks_.clock || !more) continue;
+      double time = now() - before;
+      if (result_.graph_times.size() > graphs) time -= result_.graph_times.back();
+      result_.piece_times.push_back(time);
     }
   }
 

@@ -27,9 +27,10 @@ struct SlamReplay {
   std::vector<std::string>
       left_out;  ///< sentences: what of the drive was not used, how often, and what to do
   /// By the clock that was given, in its unit: of each scan, from its ranges to its pose; of each piece of
-  /// work on loops.
+  /// work on loops; of work with the whole graph, which a robot does beside its scans.
   std::vector<double> scan_times;
   std::vector<double> piece_times;
+  std::vector<double> graph_times;
 
   /// X_MB of a scan, with all that is known at the end.
   Pose2 pose(std::size_t scan) const { return slam.pose(scans[scan].placement); }

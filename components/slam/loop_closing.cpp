@@ -27,6 +27,14 @@ constexpr double kAgrees = 0.5;             // chi^2 of a loop that the poses ke
 constexpr double kJointNoise = 0.003;       // [m] of a step between submaps, beyond what is summed
 constexpr double kJointTurnNoise = 0.0015;  // [rad]
 
+// Of a submap in the first one, which hangs on `anchor` if it left.
+UncertainPose marginal_in_first(std::size_t submap, const std::optional<Submap::Anchor>& anchor,
+                                const std::vector<Edge>& edges, const std::vector<Pose2>& X_MS) {
+  if (!anchor) return marginal(submap, 0, edges, X_MS);
+  return UncertainPose{inverse(anchor->X_AS), Eigen::Matrix3d::Zero()} *
+         marginal(submap, anchor->submap, edges, X_MS);
+}
+
 }  // namespace
 
 // What loops are searched in: walls in the newest submap, and some of the scans that saw them.
@@ -39,6 +47,8 @@ struct LoopClosing::View {
 
 struct LoopClosing::Search {
   std::vector<UncertainPose> others;
+  UncertainPose in_first;
+  bool is_open = false;  // and then:
   std::vector<std::size_t> candidates;
   std::size_t next = 0;
   View newest;
@@ -46,13 +56,20 @@ struct LoopClosing::Search {
 };
 
 UncertainPose LoopClosing::in_first(std::size_t submap) const {
-  const auto& anchor = known_.submaps.front().marginalised;
-  if (!anchor) return marginal(submap, 0, known_.edges, known_.X_MS);
-  return UncertainPose{inverse(anchor->X_AS), Eigen::Matrix3d::Zero()} *
-         marginal(submap, anchor->submap, known_.edges, known_.X_MS);
+  return marginal_in_first(submap, known_.submaps.front().marginalised, known_.edges, known_.X_MS);
+}
+
+void LoopClosing::do_beside(std::function<void()> work) {
+  done_ = std::make_shared<std::atomic<bool>>(false);
+  beside_([work = std::move(work), done = done_] {
+    work();
+    *done = true;
+    done->notify_all();
+  });
 }
 
 bool LoopClosing::advance() {
+  if (done_ && !*done_) return true;
   if (optimisation_) {
     if (optimisation_->step()) return true;
     place(optimisation_->poses());
@@ -68,6 +85,10 @@ bool LoopClosing::advance() {
     }
     if (waiting_.empty()) return false;
     take_up();
+    return true;
+  }
+  if (!search_->is_open) {
+    open_search();
     return true;
   }
   if (search_->next < search_->candidates.size()) {
@@ -139,8 +160,14 @@ void LoopClosing::marginalise_if_seen_again(std::size_t submap) {
 }
 
 void LoopClosing::settle() {
-  if (!settled_) optimisation_.emplace(known_.edges, known_.X_MS);
+  if (settled_) return;
   settled_ = true;
+  optimisation_ = std::make_shared<Optimisation>(known_.edges, known_.X_MS);
+  if (!beside_) return;
+  do_beside([optimisation = optimisation_] {
+    while (optimisation->step()) {
+    }
+  });
 }
 
 void LoopClosing::take_up() {
@@ -170,10 +197,20 @@ void LoopClosing::take_up() {
 void LoopClosing::begin_search() {
   const std::size_t later = known_.submaps.size() - 1;
   search_ = std::make_shared<Search>();
-  Search& search = *search_;
-  search.others = relative_to(later, known_.edges, known_.X_MS);
-  known_.newest_in_first = in_first(later);
-  search.candidates = candidates(search.others);
+  const auto work = [search = search_, later, edges = known_.edges, X_MS = known_.X_MS,
+                     anchor = known_.submaps.front().marginalised] {
+    search->others = relative_to(later, edges, X_MS);
+    search->in_first = marginal_in_first(later, anchor, edges, X_MS);
+  };
+  if (beside_) return do_beside(work);
+  work();
+  open_search();
+}
+
+void LoopClosing::open_search() {
+  known_.newest_in_first = search_->in_first;
+  search_->candidates = candidates(search_->others);
+  search_->is_open = true;
 }
 
 void LoopClosing::look(View& view, std::size_t before) const {

@@ -2,8 +2,10 @@
 // pieces of work small enough to come between two scans.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -45,9 +47,19 @@ class LoopClosing {
   /// With no work left.
   const State& state() const { return known_; }
 
+  /// Where work with the whole graph is done, which takes tens of milliseconds in a large one: it calls its argument,
+  /// now or on another thread. What comes of it is the same; without it, all is done by advance().
+  using Beside = std::function<void(std::function<void()>)>;
+  void work_beside(Beside beside) { beside_ = std::move(beside); }
+  /// Returns when nothing is under way beside.
+  void wait() const {
+    if (done_) done_->wait(false);
+  }
+
   void add(const Submap& submap) { waiting_.push_back(submap); }
 
   /// Compares one pair of submaps, or goes on with the graph: below a millisecond or a few. False: nothing is left to do.
+  /// While something is under way beside it does nothing.
   bool advance();
   /// Begins an optimisation where loops came since the last one: those that the poses agree with wait for it.
   void settle();
@@ -68,8 +80,10 @@ class LoopClosing {
  private:
   struct View;
   struct Search;
+  void do_beside(std::function<void()> work);
   void take_up();
   void begin_search();
+  void open_search();
   /// Walls of the newest submap and, if `before` is not 0, of the one so many before it on the same drive.
   void look(View& view, std::size_t before) const;
   /// Submaps that the newest may have seen again; others: their poses in it.
@@ -85,10 +99,12 @@ class LoopClosing {
   std::deque<Submap> waiting_;
   State known_;
   std::shared_ptr<Search> search_;  ///< of the newest submap
-  std::optional<Optimisation> optimisation_;
-  std::vector<std::size_t> review_;  ///< submaps that the newest may have seen again: may they leave?
-  std::vector<std::size_t> around_;  ///< all that may have seen the same as these
-  bool settled_ = true;              ///< no loop came since the last optimisation began
+  std::shared_ptr<Optimisation> optimisation_;
+  Beside beside_;
+  std::shared_ptr<std::atomic<bool>> done_;  ///< of what is under way beside
+  std::vector<std::size_t> review_;          ///< submaps that the newest may have seen again: may they leave?
+  std::vector<std::size_t> around_;          ///< all that may have seen the same as these
+  bool settled_ = true;                      ///< no loop came since the last optimisation began
 };
 
 }  // namespace bw::slam

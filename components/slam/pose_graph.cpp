@@ -121,6 +121,8 @@ bool can_be(const Edge& loop, const std::vector<Edge>& edges, const std::vector<
 }  // namespace
 
 struct Optimisation::Problem {
+  Problem(const std::vector<Edge>& edges, const std::vector<Pose2>& poses);
+
   DynamicCovarianceScaling loss{kScaling};
   std::vector<std::array<double, 3>> values;
   ceres::Problem problem{options()};
@@ -135,36 +137,34 @@ struct Optimisation::Problem {
 };
 
 Optimisation::~Optimisation() = default;
-Optimisation::Optimisation(Optimisation&&) noexcept = default;
-Optimisation& Optimisation::operator=(Optimisation&&) noexcept = default;
+Optimisation::Optimisation(std::vector<Edge> edges, std::vector<Pose2> poses)
+    : edges_(std::move(edges)), poses_(std::move(poses)) {}
 
-Optimisation::Optimisation(const std::vector<Edge>& edges, const std::vector<Pose2>& poses)
-    : problem_(std::make_unique<Problem>()) {
-  Problem& p = *problem_;
-  p.finished = poses.size() < 2 || edges.empty();
-  p.values.reserve(poses.size());
-  for (const Pose2& pose : poses) p.values.push_back({pose.x, pose.y, pose.theta});
+Optimisation::Problem::Problem(const std::vector<Edge>& edges, const std::vector<Pose2>& poses)
+    : finished(poses.size() < 2 || edges.empty()) {
+  values.reserve(poses.size());
+  for (const Pose2& pose : poses) values.push_back({pose.x, pose.y, pose.theta});
   std::vector<bool> has_edge(poses.size(), false);
   for (const Edge& edge : edges) has_edge[edge.from] = has_edge[edge.to] = true;
   for (std::size_t k = 0; k < poses.size(); ++k)
-    if (has_edge[k]) p.problem.AddParameterBlock(p.values[k].data(), 3);
+    if (has_edge[k]) problem.AddParameterBlock(values[k].data(), 3);
   double worst = kScaling;
   for (const Edge& edge : edges) {
     const double s = edge.loop ? disagreement(edge, poses) : 0.0;
     // It would pull the others away before it is judged.
     if (s > kFarOff && !can_be(edge, edges, poses)) continue;
     worst = std::max(worst, s);
-    p.problem.AddResidualBlock(new EdgeResidual(edge.X, whitening(edge.X.covariance)),
-                               edge.loop ? &p.loss : nullptr, p.values[edge.from].data(),
-                               p.values[edge.to].data());
+    problem.AddResidualBlock(new EdgeResidual(edge.X, whitening(edge.X.covariance)),
+                             edge.loop ? &loss : nullptr, values[edge.from].data(), values[edge.to].data());
   }
   const auto first = std::find(has_edge.begin(), has_edge.end(), true);
   if (first != has_edge.end())
-    p.problem.SetParameterBlockConstant(p.values[static_cast<std::size_t>(first - has_edge.begin())].data());
-  p.loss.set_scaling(worst);
+    problem.SetParameterBlockConstant(values[static_cast<std::size_t>(first - has_edge.begin())].data());
+  loss.set_scaling(worst);
 }
 
 bool Optimisation::step() {
+  if (!problem_) problem_ = std::make_unique<Problem>(edges_, poses_);
   Problem& p = *problem_;
   if (p.finished) return false;
   ceres::Solver::Options options;
@@ -188,6 +188,7 @@ bool Optimisation::step() {
 }
 
 std::vector<Pose2> Optimisation::poses() const {
+  if (!problem_) return poses_;
   std::vector<Pose2> poses;
   poses.reserve(problem_->values.size());
   for (const auto& value : problem_->values) poses.push_back({value[0], value[1], wrap_angle(value[2])});

@@ -31,17 +31,19 @@ double weight_left(const Edge& loop, const std::vector<Pose2>& poses);
 class Optimisation {
  public:
   /// The first pose that has an edge stays where it is, and those that have none.
-  Optimisation(const std::vector<Edge>& edges, const std::vector<Pose2>& poses);
+  Optimisation(std::vector<Edge> edges, std::vector<Pose2> poses);
   ~Optimisation();
-  Optimisation(Optimisation&&) noexcept;
-  Optimisation& operator=(Optimisation&&) noexcept;
+  Optimisation(const Optimisation&) = delete;
+  Optimisation& operator=(const Optimisation&) = delete;
 
-  /// False when it is finished.
+  /// The first one takes longer: it looks at all loops. False when it is finished.
   bool step();
   std::vector<Pose2> poses() const;
 
  private:
   struct Problem;
+  std::vector<Edge> edges_;
+  std::vector<Pose2> poses_;  ///< where it begins
   std::unique_ptr<Problem> problem_;
 };
 

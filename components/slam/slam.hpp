@@ -33,7 +33,7 @@ struct SlamState {
 
 /// Pieces of the work on loops for each scan, where none may be delayed: at 10 scans/s a submap's are done before the
 /// next comes.
-inline constexpr int kPiecesPerScan = 6;
+inline constexpr int kPiecesPerScan = 2;
 
 class Slam {
  public:
@@ -51,6 +51,8 @@ class Slam {
   /// A piece of the work on loops and the graph, of which some tens come up every half submap. False: none is
   /// left.
   bool advance() { return closing_.advance(); }
+  /// As LoopClosing's.
+  void work_beside(LoopClosing::Beside beside) { closing_.work_beside(std::move(beside)); }
   /// Ends the drive: what is under way becomes submaps, and all work is done.
   void finish();
 
@@ -77,8 +79,7 @@ class Slam {
   /// As advance(), and poses move for loops that waited, too. False: all is settled.
   bool settle_a_piece();
   void settle() {
-    while (settle_a_piece()) {
-    }
+    while (settle_a_piece()) closing_.wait();
   }
 
  private:

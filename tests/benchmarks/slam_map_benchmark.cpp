@@ -17,7 +17,6 @@ namespace {
 constexpr double kSide = 200.0;   // [m]
 constexpr int kScansPerMap = 20;  // 2 s at 10 scans/s
 constexpr std::size_t kTilesPerScan = 500;
-constexpr int kPiecesPerScan = 6;
 
 /// Round scans of 12 m, 8 m apart: all of the square is known.
 void draw_all(MapRendering& map) {

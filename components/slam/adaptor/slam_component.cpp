@@ -26,6 +26,7 @@ std::string seconds(Time time) { return fmt::format("{:.3f}", time.to_seconds())
 
 void SlamComponent::configure(Setup& setup) {
   parameters_ = setup.parameters<SlamParameters>();
+  is_lockstep_ = setup.is_lockstep();
   const std::filesystem::path folder = setup.file_parameter("folder");
   folder_ = std::filesystem::absolute(folder.empty() ? std::filesystem::path(parameters_.folder) : folder);
   map_frame_ = setup.frame("map");
@@ -53,7 +54,6 @@ void SlamComponent::configure(Setup& setup) {
     publish_map();
     publish_graph();
   });
-  is_lockstep_ = setup.is_lockstep();
   setup.every(Duration::milliseconds(50), "saving", [this](const Tick&) { advance_saves(); });
   setup.every(Duration::seconds(1.0), "health", [this](const Tick& tick) { report(tick.now); });
   offer_services(setup);
@@ -78,7 +78,7 @@ void SlamComponent::begin_map() {
   options_ = parameters_.algorithm;
   options_.holds_back = true;
   search_.reset();
-  slam_ = std::make_unique<Slam>(options_);
+  set_slam(std::make_unique<Slam>(options_));
   painter_ = std::make_unique<MapPainter>(options_.resolution, X_MW_);
   covariance_.setZero();
   map_.begin(options_.resolution);
@@ -93,6 +93,11 @@ void SlamComponent::begin_map() {
   watch_ = {};
   given_.reset();
   given_X_MO_.reset();
+}
+
+void SlamComponent::set_slam(std::unique_ptr<Slam> slam) {
+  slam_ = std::move(slam);
+  if (!is_lockstep_) slam_->work_beside([this](std::function<void()> work) { map_.add(std::move(work)); });
 }
 
 void SlamComponent::on_odometry(const nav_msgs::msg::Odometry& message, const Tick&) {

@@ -50,6 +50,7 @@ class SlamComponent final : public Component {
   /// All that is asked for, here and now.
   void finish_saves();
   void begin_map();
+  void set_slam(std::unique_ptr<Slam> slam);
   /// Goes on with a map that was saved: where the robot is in it is looked for, about X_MB if that is given.
   void continue_map(SavedGraph graph, const std::optional<Pose2>& X_MB);
   void on_initial_pose(const geometry_msgs::msg::PoseWithCovarianceStamped& message);

@@ -121,7 +121,7 @@ void SlamComponent::continue_map(SavedGraph graph, const std::optional<Pose2>& X
   options_.resolution = resolution;
   graph.slam.options = options_;
   X_MW_ = graph.X_MW;
-  slam_ = std::make_unique<Slam>(std::move(graph.slam));
+  set_slam(std::make_unique<Slam>(std::move(graph.slam)));
   slam_->finish();
   painter_ = std::make_unique<MapPainter>(resolution, X_MW_);
   while (painter_->update(*slam_, 1000)) {

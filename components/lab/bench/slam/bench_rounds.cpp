@@ -92,7 +92,8 @@ std::vector<SlamRound> drive_slam_rounds(std::uint64_t seed, int rounds,
     const std::size_t k = result.size();
     SlamRound round = held_by(so_far.slam);
     const double spent = std::accumulate(so_far.scan_times.begin(), so_far.scan_times.end(), 0.0) +
-                         std::accumulate(so_far.piece_times.begin(), so_far.piece_times.end(), 0.0);
+                         std::accumulate(so_far.piece_times.begin(), so_far.piece_times.end(), 0.0) +
+                         std::accumulate(so_far.graph_times.begin(), so_far.graph_times.end(), 0.0);
     round.cpu_ms_per_scan = (spent - before_ms) / static_cast<double>(so_far.scans.size() - scans_before);
     before_ms = spent;
     scans_before = so_far.scans.size();

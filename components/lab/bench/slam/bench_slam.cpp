@@ -55,11 +55,12 @@ std::string line_of(const SlamDrive& d) {
   return fmt::format(
       "{:<14}{:6.0f} m  ATE {:.3f} m (at most {:.3f})  map F1 {:.3f} (at the truth {:.3f})  loops {}, wrong {}, gross {} "
       "({} kept)  missed {} of {}  ANEES {:.2f} (95 %: {:.0f} %)  CPU {:.2f} ms, 99 %: {:.1f}, pieces {:.1f}, at most {:.1f}; "
-      "online 99 %: {:.1f}, at most {:.1f}; {:.0f} MB\n",
+      "online 99 %: {:.1f}, at most {:.1f}; beside {:.1f}, at most {:.1f}; {:.0f} MB\n",
       d.building, d.way, d.trajectory.rms, d.trajectory.largest, d.map.f1(), d.map_at_truth.f1(),
       d.loops.loops, d.loops.wrong, d.loops.gross, d.loops.gross_kept, d.missed, d.revisits,
       d.consistency.anees, 100.0 * d.consistency.share_in_95, d.cpu_ms_per_scan, d.scan_p99_ms,
-      d.piece_p99_ms, d.piece_most_ms, d.online_p99_ms, d.online_most_ms, d.memory_mb);
+      d.piece_p99_ms, d.piece_most_ms, d.online_p99_ms, d.online_most_ms, d.graph_p99_ms, d.graph_most_ms,
+      d.memory_mb);
 }
 
 ordered_json json_of(const SlamDrive& d) {
@@ -82,6 +83,8 @@ ordered_json json_of(const SlamDrive& d) {
           {"scan_p99_ms", d.scan_p99_ms},
           {"piece_p99_ms", d.piece_p99_ms},
           {"piece_most_ms", d.piece_most_ms},
+          {"graph_p99_ms", d.graph_p99_ms},
+          {"graph_most_ms", d.graph_most_ms},
           {"online_p99_ms", d.online_p99_ms},
           {"online_most_ms", d.online_most_ms},
           {"memory_mb", d.memory_mb}};
@@ -194,6 +197,8 @@ SlamDrive drive_slam(const buildings::Building& building, const buildings::Build
   result.scan_p99_ms = quantile(replayed.scan_times, 0.99);
   result.piece_p99_ms = quantile(replayed.piece_times, 0.99);
   result.piece_most_ms = quantile(replayed.piece_times, 1.0);
+  result.graph_p99_ms = quantile(replayed.graph_times, 0.99);
+  result.graph_most_ms = quantile(replayed.graph_times, 1.0);
   result.online_p99_ms = quantile(online.times(), 0.99);
   result.online_most_ms = quantile(online.times(), 1.0);
   result.memory_mb = online.memory_mb();

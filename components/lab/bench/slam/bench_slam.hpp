@@ -38,6 +38,8 @@ struct SlamDrive {
   double scan_p99_ms = 0.0;
   double piece_p99_ms = 0.0;
   double piece_most_ms = 0.0;
+  double graph_p99_ms = 0.0;  ///< of work with the whole graph, which the component does beside its scans
+  double graph_most_ms = 0.0;
   double online_p99_ms = 0.0;  ///< of a scan as the component handles it: pieces and drawing included
   double online_most_ms = 0.0;
   double memory_mb = 0.0;  ///< most that the process grew by on the drive
