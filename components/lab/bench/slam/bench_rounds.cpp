@@ -9,6 +9,7 @@
 
 #include "components/lab/bench/bench_common.hpp"
 #include "components/lab/bench/buildings/known_map.hpp"
+#include "components/model/rigid_fit.hpp"
 #include "components/slam/files/slam_settings.hpp"
 #include "components/slam/map_painter.hpp"
 
@@ -45,9 +46,9 @@ OccupancyGrid either(OccupancyGrid a, const OccupancyGrid& b) {
 std::string line_of(std::size_t number, const SlamRound& r) {
   return fmt::format(
       "round {:>3}: {:>4} submaps, {:>5} scans, {:>5} edges, {:.2f} MB; CPU {:.2f} ms a scan; of {} cells {} stale, "
-      "recall {:.3f}; pose {:.3f} m off\n",
+      "recall {:.3f}; pose {:.3f} m off, frame {:.3f} m\n",
       number, r.submaps, r.scans, r.edges, r.memory_mb, r.cpu_ms_per_scan, r.drawn, r.stale, r.recall,
-      r.error);
+      r.error, r.frame);
 }
 
 ordered_json json_of(const SlamRound& r) {
@@ -59,7 +60,8 @@ ordered_json json_of(const SlamRound& r) {
           {"drawn", r.drawn},
           {"stale", r.stale},
           {"recall", r.recall},
-          {"error_m", r.error}};
+          {"error_m", r.error},
+          {"frame_m", r.frame}};
 }
 
 std::string beside_third(const std::vector<SlamRound>& rounds) {
@@ -96,9 +98,13 @@ std::vector<SlamRound> drive_slam_rounds(std::uint64_t seed, int rounds,
                          std::accumulate(so_far.graph_times.begin(), so_far.graph_times.end(), 0.0);
     round.cpu_ms_per_scan = (spent - before_ms) / static_cast<double>(so_far.scans.size() - scans_before);
     before_ms = spent;
-    scans_before = so_far.scans.size();
+    RigidFit fit;
+    for (; scans_before < so_far.scans.size(); ++scans_before)
+      fit.add(truth.at(so_far.scans[scans_before].time).position(), so_far.pose(scans_before).position());
     const Pose2 X_WM = truth.at(so_far.scans.front().time);
-    const OccupancyGrid made = slam::render(slam::placed_scans(so_far.slam, X_WM), slam.resolution);
+    const Pose2 X_laid = fit.X_AB();
+    round.frame = (X_laid * fit.mean_B() - X_WM * fit.mean_B()).norm();
+    const OccupancyGrid made = slam::render(slam::placed_scans(so_far.slam, X_laid), slam.resolution);
     const OccupancyGrid now = buildings::known_map(arrangements[k], slam.resolution);
     const OccupancyGrid before = buildings::known_map(arrangements[k == 0 ? 0 : k - 1], slam.resolution);
     const slam::MapScore lately = slam::score_map(made, either(now, before), {});

@@ -17,6 +17,7 @@ struct SlamRound {
   std::size_t stale = 0;  ///< of these, with nothing within a cell that stood there in this round or the last
   double recall = 0.0;    ///< of what stands there in this round
   double error = 0.0;     ///< of the pose at the end, as it is known then [m]
+  double frame = 0.0;     ///< by which the map as a whole is off; the figures of its cells are without it [m]
 };
 
 /// Prints a line for each round, and the last beside the third; writes JSON. Returns the exit status (0). One office
