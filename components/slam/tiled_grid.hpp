@@ -2,9 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace bw::slam {
@@ -21,59 +24,59 @@ class TiledGrid {
     const int column = (i >> kEdgeBits) - first_column_;
     const int row = (j >> kEdgeBits) - first_row_;
     if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return empty_;
-    const std::int32_t tile = tiles_[index(column, row)];
-    return tile < 0 ? empty_ : cells_[cell(tile, i, j)];
+    const Tile* tile = tiles_[index(column, row)].get();
+    return tile == nullptr ? empty_ : (*tile)[cell(i, j)];
   }
-  /// To write to; cells made before move.
+  /// To write to. Cells stay where they are in memory: to move them all would take long in a large map.
   Cell& ref(int i, int j) {
     const int tile_column = i >> kEdgeBits;
     const int tile_row = j >> kEdgeBits;
     if (tile_column < first_column_ || tile_row < first_row_ || tile_column >= first_column_ + columns_ ||
         tile_row >= first_row_ + rows_)
       grow(tile_column, tile_row);
-    std::int32_t& tile = tiles_[index(tile_column - first_column_, tile_row - first_row_)];
-    if (tile < 0) {
-      tile = static_cast<std::int32_t>(cells_.size() >> (2 * kEdgeBits));
-      cells_.resize((static_cast<std::size_t>(tile) + 1) << (2 * kEdgeBits), empty_);
+    std::unique_ptr<Tile>& tile = tiles_[index(tile_column - first_column_, tile_row - first_row_)];
+    if (!tile) {
+      tile = std::make_unique<Tile>();
+      ++made_;
     }
-    return cells_[cell(tile, i, j)];
+    return (*tile)[cell(i, j)];
   }
   /// The cells of the tile that (i, j) lies in, row-major; null where nothing was written.
   const Cell* tile_of(int i, int j) const {
     const int column = (i >> kEdgeBits) - first_column_;
     const int row = (j >> kEdgeBits) - first_row_;
     if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return nullptr;
-    const std::int32_t tile = tiles_[index(column, row)];
-    return tile < 0 ? nullptr : &cells_[static_cast<std::size_t>(tile) << (2 * kEdgeBits)];
+    const Tile* tile = tiles_[index(column, row)].get();
+    return tile == nullptr ? nullptr : tile->data();
   }
   std::size_t bytes() const {
-    return cells_.capacity() * sizeof(Cell) + tiles_.capacity() * sizeof(std::int32_t);
+    return made_ * sizeof(Tile) + tiles_.capacity() * sizeof(std::unique_ptr<Tile>);
   }
-  bool empty() const { return cells_.empty(); }
+  bool empty() const { return made_ == 0; }
 
   /// fn(i, j, cell) for each cell of each tile, by rows of tiles.
   template <class Function>
   void for_each(Function&& fn) const {
     for (int row = 0; row < rows_; ++row) {
       for (int column = 0; column < columns_; ++column) {
-        const std::int32_t tile = tiles_[index(column, row)];
-        if (tile < 0) continue;
+        const Tile* tile = tiles_[index(column, row)].get();
+        if (tile == nullptr) continue;
         const int i0 = (column + first_column_) * kEdge;
         const int j0 = (row + first_row_) * kEdge;
         for (int j = 0; j < kEdge; ++j)
-          for (int i = 0; i < kEdge; ++i) fn(i0 + i, j0 + j, cells_[cell(tile, i, j)]);
+          for (int i = 0; i < kEdge; ++i) fn(i0 + i, j0 + j, (*tile)[cell(i, j)]);
       }
     }
   }
 
  private:
+  using Tile = std::array<Cell, std::size_t{kEdge} * kEdge>;  ///< row-major
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
            static_cast<std::size_t>(column);
   }
-  static std::size_t cell(std::int32_t tile, int i, int j) {
-    return (static_cast<std::size_t>(tile) << (2 * kEdgeBits)) +
-           (static_cast<std::size_t>(j & (kEdge - 1)) << kEdgeBits) +
+  static std::size_t cell(int i, int j) {
+    return (static_cast<std::size_t>(j & (kEdge - 1)) << kEdgeBits) +
            static_cast<std::size_t>(i & (kEdge - 1));
   }
   void grow(int tile_column, int tile_row) {
@@ -86,11 +89,13 @@ class TiledGrid {
     const int high = none ? tile_row + kMargin : std::max(first_row_ + rows_ - 1, tile_row + kMargin);
     const int columns = right - left + 1;
     const int rows = high - low + 1;
-    std::vector<std::int32_t> tiles(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), -1);
+    std::vector<std::unique_ptr<Tile>> tiles(static_cast<std::size_t>(columns) *
+                                             static_cast<std::size_t>(rows));
     for (int row = 0; row < rows_; ++row)
       for (int column = 0; column < columns_; ++column)
         tiles[static_cast<std::size_t>(row + first_row_ - low) * static_cast<std::size_t>(columns) +
-              static_cast<std::size_t>(column + first_column_ - left)] = tiles_[index(column, row)];
+              static_cast<std::size_t>(column + first_column_ - left)] =
+            std::move(tiles_[index(column, row)]);
     tiles_ = std::move(tiles);
     first_column_ = left;
     first_row_ = low;
@@ -103,8 +108,8 @@ class TiledGrid {
   int first_row_ = 0;
   int columns_ = 0;
   int rows_ = 0;
-  std::vector<std::int32_t> tiles_;  ///< number of the tile, row-major; -1: none
-  std::vector<Cell> cells_;          ///< tile by tile
+  std::vector<std::unique_ptr<Tile>> tiles_;  ///< row-major; null where nothing was written
+  std::size_t made_ = 0;
 };
 
 }  // namespace bw::slam

@@ -57,6 +57,14 @@ TEST(TiledGrid, HoldsWhatWasWrittenAndNothingElse) {
   }
 }
 
+// A map of 100 MB that moves its cells when it grows takes tens of milliseconds for that.
+TEST(TiledGrid, CellsStayWhereTheyAre) {
+  TiledGrid<Counted> grid;
+  const Counted* first = &grid.ref(0, 0);
+  for (int n = 1; n < 1000; ++n) grid.ref(40 * n, -40 * n);
+  EXPECT_EQ(&grid.ref(0, 0), first);
+}
+
 TEST(TiledGrid, CellsBelowZeroAreOfTheTileBelow) {
   TiledGrid<Counted> grid;
   grid.ref(-1, -1).value = 1;
