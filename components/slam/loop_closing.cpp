@@ -20,8 +20,6 @@ constexpr double kWide = 2.0;  // [m] beyond, a search is dear and finds look-al
 constexpr double kAllRound = 0.2;
 constexpr std::size_t kMostFar = 32;
 constexpr std::size_t kImages = 8;          // nodes that look through an earlier submap
-constexpr double kSure = 0.5;               // [m] a search so narrow needs no second loop
-constexpr std::size_t kSupport = 3;         // loops that agree
 constexpr std::size_t kWaiting = 200;       // loops that wait for support
 constexpr double kAgrees = 0.5;             // chi^2 of a loop that the poses keep to already
 constexpr double kJointNoise = 0.003;       // [m] of a step between submaps, beyond what is summed
@@ -285,18 +283,8 @@ bool LoopClosing::overlap(std::size_t earlier, std::size_t later) const {
 }
 
 bool LoopClosing::accept() {
-  std::vector<bool> taken(known_.pending.size(), false);
+  const std::vector<bool> taken = believed(known_.pending, known_.submaps);
   bool any = false;
-  for (std::size_t i = 0; i < known_.pending.size(); ++i) {
-    if (taken[i]) continue;
-    if (known_.pending[i].window <= kSure) {
-      taken[i] = true;
-      continue;
-    }
-    const std::vector<std::size_t> clique = supporters(i, known_.pending, known_.submaps);
-    if (clique.size() < kSupport) continue;
-    for (const std::size_t k : clique) taken[k] = true;
-  }
   std::vector<Loop> left;
   for (std::size_t i = 0; i < known_.pending.size(); ++i) {
     if (!taken[i]) {

@@ -10,6 +10,8 @@ namespace bw::slam {
 namespace {
 
 constexpr double kConsistent = 11.3;   // chi^2 of three degrees of freedom, 99 %
+constexpr double kSure = 0.5;          // [m] a search so narrow needs no second loop
+constexpr std::size_t kSupport = 3;    // loops that agree
 constexpr std::size_t kFarApart = 10;  // [submaps] the way between them says nothing any more
 
 // Pose of submap b in submap a along the drive. Where a map was continued the drive has a fork.
@@ -77,6 +79,19 @@ std::vector<std::size_t> supporters(std::size_t with, std::span<const Loop> loop
     if (agrees) clique.push_back(rival.loop);
   }
   return clique;
+}
+
+std::vector<bool> believed(std::span<const Loop> loops, std::span<const Submap> submaps) {
+  std::vector<bool> result(loops.size(), false);
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    if (result[i]) continue;
+    result[i] = loops[i].window <= kSure;
+    if (result[i]) continue;
+    const std::vector<std::size_t> clique = supporters(i, loops, submaps);
+    if (clique.size() < kSupport) continue;
+    for (const std::size_t k : clique) result[k] = true;
+  }
+  return result;
 }
 
 }  // namespace bw::slam

@@ -17,4 +17,7 @@ double inconsistency(const Loop& a, const Loop& b, std::span<const Submap> subma
 std::vector<std::size_t> supporters(std::size_t with, std::span<const Loop> loops,
                                     std::span<const Submap> submaps);
 
+/// Of each of these whether it is believed: it was searched within 0.5 m, or two others agree with it.
+std::vector<bool> believed(std::span<const Loop> loops, std::span<const Submap> submaps);
+
 }  // namespace bw::slam

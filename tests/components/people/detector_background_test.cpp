@@ -41,7 +41,7 @@ TEST(LocalBackground, TrackedPeopleAreNotAbsorbed) {
   const std::vector<Vector2> people = {kLeg.center + Vector2(0.1, 0.1)};
   for (int i = 0; i <= 200; ++i) {
     const DetectionSet& set =
-        detector.detect(scanner.scan(square_room(5.0), {kLeg}, {}, 0.1 * i), {std::nullopt, people});
+        detector.detect(scanner.scan(square_room(5.0), {kLeg}, {}, 0.1 * i), {nullptr, std::nullopt, people});
     const Detection* leg = at(set, kLeg.center);
     ASSERT_NE(leg, nullptr) << i;
     EXPECT_FALSE(leg->on_static) << i;

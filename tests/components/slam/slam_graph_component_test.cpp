@@ -283,8 +283,8 @@ TEST(SlamInRealTime, HandlesScansWhileTheMapIsSaved) {
          const auto answered = [&, finish = setup.finish_run()](const std::string& what, bool ok) {
            answers.push_back(what + (ok ? "" : " failed") + (held->is_let_go() ? "" : " before the scans"));
            if (answers.size() < 3) return;
-      held->let_go();
-      finish(true, "saved");
+           held->let_go();
+           finish(true, "saved");
          };
          setup.every(Duration::milliseconds(20), "robot",
                      [&, answered, robot = RoomRobot(setup),
