@@ -24,8 +24,8 @@ struct MapTile {
   std::array<std::int8_t, std::size_t{kEdge} * kEdge> cells{};  ///< row-major: as in OccupancyGrid
 };
 
-/// Cells of the largest map: 500 x 500 m at 5 cm.
-inline constexpr double kMostCells = 1e8;
+/// Cells of the largest map: as many as a map file may have (components/files/map_image.hpp), 400 x 400 m at 5 cm.
+inline constexpr double kMostCells = 64 << 20;
 
 struct PlacedScan {
   Pose2 X_MB;

@@ -270,7 +270,7 @@ void SlamComponent::report(Time now) {
     why = "was carried away, and found its place in the map again";
   } else if (state == HealthState::ok && painter_->left_out() > 0) {
     state = HealthState::degraded;
-    why = fmt::format("{} scans are not on the map, which may have {:.0e} cells", painter_->left_out(),
+    why = fmt::format("{} scans are not on the map, which may have {:.0f} cells", painter_->left_out(),
                       kMostCells);
   }
   const Level level = state == HealthState::lost ? Level::error

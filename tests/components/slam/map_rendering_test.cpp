@@ -171,7 +171,7 @@ TEST(MapRendering, BeamsStartAtTheScannersMount) {
   EXPECT_EQ(value_at(map.grid(), 0.125, 0.025), OccupancyGrid::kUnknown);
 }
 
-// 500 x 500 m at 5 cm are 1e8 cells: 200 m away there is room, 10 km away, at no place and at 1e300 m there is none, and
+// 400 x 400 m at 5 cm are 64 million cells: 200 m away there is room, 10 km away, at no place and at 1e300 m there is none, and
 // the map stays what it was.
 TEST(MapRendering, HasABound) {
   MapRendering map(0.05);
