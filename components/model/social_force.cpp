@@ -25,6 +25,12 @@ Vector2 social_force(const SocialForceOptions& options, const Vector2& p_ij, con
   return options.social_factor * (slowing * t + sideways * Vector2(-t.y(), t.x()));
 }
 
+Vector2 group_force(const SocialForceOptions& options, const Vector2& to_centre, int members) {
+  const double distance = to_centre.norm();
+  if (distance <= 0.5 * (members - 1)) return {0.0, 0.0};
+  return options.kGroupPull / distance * to_centre;
+}
+
 Vector2 obstacle_force(const SocialForceOptions& options, const Vector2& from_wall, double radius) {
   const double distance = from_wall.norm();
   if (distance == 0.0) return {0.0, 0.0};

@@ -26,6 +26,9 @@ struct SocialForceOptions {
   /// how narrow the slowing force is in angle (world/README.md 7.6)
   static constexpr double kNPrime = 3.0;
 
+  /// [m/s^2] by which those of a group who are left behind are drawn to it
+  static constexpr double kGroupPull = 3.0;
+
   template <class Visitor>
   void fields(Visitor& v) {
     v("social_factor", social_factor,
@@ -43,6 +46,10 @@ Vector2 desired_force(const SocialForceOptions& options, const Vector2& desired_
 /// What j does to i, p_ij = p_j - p_i [m], v_ij = v_i - v_j [m/s]. Exactly ahead counts as left, so that both
 /// pass on their right; zero for coinciding positions, where there is no direction.
 Vector2 social_force(const SocialForceOptions& options, const Vector2& p_ij, const Vector2& v_ij);
+
+/// Pull of a group of `members` [people] on one of them, `to_centre` [m] away from the middle of all: kGroupPull where that is
+/// farther than a row of them is wide, (members - 1) / 2 m, else zero (Moussaid et al. 2010).
+Vector2 group_force(const SocialForceOptions& options, const Vector2& to_centre, int members);
 
 /// Push from the nearest wall point: kObstacleFactor exp(-(d - radius) / sigma) along `from_wall` (wall to
 /// person).

@@ -18,6 +18,7 @@ struct WalkerOptions {
   double y = 0.0;
   double goal_x = 0.0;
   double goal_y = 0.0;
+  int group = 0;  ///< who has the same number walks together; 0: alone (set by code alone)
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -67,6 +68,7 @@ struct GoalWalker {
   Vector2 next_goal;
   double speed = 0.0;  ///< wanted [m/s]
   bool arrived = false;
+  int group = 0;
 };
 
 /// One for each of `options.walkers`, at rest at its start, which is moved by up to `start_jitter`; ids count
@@ -83,7 +85,9 @@ std::vector<Walker> walkers_at_start(const GoalWalkersOptions& options, std::uin
     const GoalWalker one{{first_id++, start, {0.0, 0.0}, options.radius},
                          {walker.goal_x, walker.goal_y},
                          start,
-                         random.uniform(options.speed_min, options.speed_max)};
+                         random.uniform(options.speed_min, options.speed_max),
+                         false,
+                         walker.group};
     walkers.push_back(Walker{one});
   }
   return walkers;

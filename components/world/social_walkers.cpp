@@ -7,6 +7,7 @@ namespace bw {
 namespace {
 
 constexpr double kNegligible = 0.01;    // [m/s^2]
+constexpr double kLost = 5.0;           // [m] from one of a group to another who is not waited for any more
 constexpr double kSpeedHeadroom = 1.3;  // people hurry at most this much (Helbing and Molnar 1995)
 
 }  // namespace
@@ -36,6 +37,19 @@ void SocialWalkers::add(std::uint32_t id, const NewPerson& person) {
 
 bool SocialWalkers::displace(std::uint32_t id, const Vector2& by) { return displace_one(walkers_, id, by); }
 
+Vector2 SocialWalkers::pull_of_group(const Walker& walker) const {
+  if (walker.group == 0) return {0.0, 0.0};
+  Vector2 sum{0.0, 0.0};
+  int members = 0;
+  for (const Walker& other : walkers_) {
+    if (other.group != walker.group) continue;
+    if ((other.body.position - walker.body.position).norm() > kLost) continue;
+    sum += other.body.position;
+    ++members;
+  }
+  return group_force(options_.forces, sum / members - walker.body.position, members);
+}
+
 Vector2 SocialWalkers::force_on(const Walker& walker, const Surroundings& surroundings) const {
   const Person& me = walker.body;
   const Vector2 to_goal = walker.goal - me.position;
@@ -43,7 +57,7 @@ Vector2 SocialWalkers::force_on(const Walker& walker, const Surroundings& surrou
   Vector2 desired{0.0, 0.0};
   if (!walker.arrived && distance > 0.0) desired = to_goal * (walker.speed / distance);
   if (walker.course) desired = *walker.course;
-  Vector2 force = desired_force(options_.forces, desired, me.velocity);
+  Vector2 force = desired_force(options_.forces, desired, me.velocity) + pull_of_group(walker);
 
   const auto add = [&](const Vector2& position, const Vector2& velocity) {
     force += social_force(options_.forces, position - me.position, me.velocity - velocity);

@@ -1,5 +1,5 @@
 // People who walk to goals by the social force model: among each other, along walls, and round the robot if
-// they see it.
+// they see it, and with their group.
 #pragma once
 
 #include <optional>
@@ -40,6 +40,7 @@ class SocialWalkers final : public PeopleModel {
     std::optional<Vector2> course = std::nullopt;  ///< the velocity that somebody without a goal wants
   };
 
+  Vector2 pull_of_group(const Walker& walker) const;
   Vector2 force_on(const Walker& walker, const Surroundings& surroundings) const;
 
   SocialWalkersOptions options_;

@@ -88,6 +88,31 @@ TEST(SocialForce, IsZeroWhereThereIsNoDirection) {
   EXPECT_EQ(obstacle_force({}, {0.0, 0.0}, 0.3), Vector2(0.0, 0.0));
 }
 
+// Two of a group 1.4 m apart are 0.7 m from their middle, beyond the half metre of a pair; 0.8 m apart they are not drawn.
+TEST(SocialForce, DrawsWhoIsLeftBehindToTheGroup) {
+  const SocialForceOptions options;
+  EXPECT_TRUE(group_force(options, {0.7, 0.0}, 2).isApprox(Vector2(3.0, 0.0), 1e-12));
+  EXPECT_EQ(group_force(options, {0.4, 0.0}, 2), Vector2(0.0, 0.0));
+  EXPECT_EQ(group_force(options, {0.7, 0.0}, 3), Vector2(0.0, 0.0)) << "of three a metre";
+}
+
+// Two who start 4 m apart, the same way at the same speed: alone they stay so, as a group they come together.
+TEST(SocialWalkers, KeepTogetherInAGroup) {
+  SocialWalkersOptions options;
+  options.speed_min = options.speed_max = 1.0;
+  for (const int group : {0, 1}) {
+    options.walkers = {{0.0, 0.0, 100.0, 0.0, group}, {0.0, 4.0, 100.0, 4.0, group}};
+    SocialWalkers people(options, kPeoplesFloor, 1, Random(1));
+    const std::vector<Person> now = after(people, 20.0);
+    const double apart = (now[1].position - now[0].position).norm();
+    if (group == 0)
+      EXPECT_GE(apart, 3.9);
+    else
+      EXPECT_LE(apart, 1.5);
+    EXPECT_GT(now[0].position.x(), 15.0);
+  }
+}
+
 TEST(SocialForce, WallPushesByItsSigma) {
   const SocialForceOptions options;  // 10 exp(-(d - r) / 0.8)
   EXPECT_NEAR(obstacle_force(options, {0.0, 0.3}, 0.3).y(), 10.0, 1e-12);
