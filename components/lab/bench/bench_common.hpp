@@ -11,6 +11,9 @@
 
 namespace bw {
 
+/// CPU time so far [ms].
+using CpuClock = std::function<double()>;
+
 /// CPU time of this process [ms].
 double process_cpu_ms();
 

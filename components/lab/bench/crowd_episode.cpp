@@ -7,7 +7,6 @@
 #include "components/evaluation/success.hpp"
 #include "components/lab/bench/crowd_people.hpp"
 #include "components/lab/bench/planner_alone.hpp"
-#include "components/lab/bench/unicycle.hpp"
 
 namespace bw {
 namespace {
@@ -15,11 +14,9 @@ namespace {
 constexpr int kStepsPerPeriod = 5;
 constexpr double kCollisionIndexSigma = 0.6;  // [m] evaluation/theory.md 7.7
 
-PlanningProblem problem_at(const Scene& scene, const SceneFile& file, const CrowdPeople& people, double time,
-                           const Pose2& pose, const Twist2& twist) {
-  const ClosedLoop& rule = *file.closed_loop;
-  PlanningProblem problem = problem_alone(time, pose, twist, {scene.start, scene.goal}, rule.robot_radius,
-                                          file.limits, rule.control_period);
+PlanningProblem problem_at(const Scene& scene, const CrowdPeople& people, double time,
+                           const PlannedBase& base) {
+  PlanningProblem problem = base.problem(time, {scene.start, scene.goal});
   for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
     const SceneObstacle& o = scene.obstacles[i];
     if (!people.walks(i)) {
@@ -88,9 +85,8 @@ CrowdEpisode drive_crowd(const Scene& scene, const SceneFile& file, LocalPlanner
   const double period = rule.control_period;
   CrowdEpisode episode;
   episode.name = scene.name;
-  Pose2 pose = scene.start;
-  Twist2 twist;
-  std::vector<double> accelerations;
+  PlannedBase base(scene.start, rule.robot_radius, file.limits, period, twice_the_limits(file.limits, period),
+                   planner, clock);
   ContactDiary diary;
   const Footprint footprint{rule.robot_radius, {}};
   CrowdPeople people(scene, rule);
@@ -98,37 +94,32 @@ CrowdEpisode drive_crowd(const Scene& scene, const SceneFile& file, LocalPlanner
   const int cycles = static_cast<int>(std::lround(rule.timeout / period));
   for (int cycle = 0; cycle < cycles; ++cycle) {
     const double begin = cycle * period;
-    people.move_to(begin, pose, twist);
+    people.move_to(begin, base.pose(), base.twist());
     if (cycle == 0) walks.keep(begin, people);
-    const PlanningProblem problem = problem_at(scene, file, people, begin, pose, twist);
-    const double before = clock();
-    const PlanningResult result = planner.plan(problem);
-    episode.ms.push_back(clock() - before);
+    const PlanningProblem problem = problem_at(scene, people, begin, base);
+    episode.states.push_back({begin, base.pose(), base.twist()});
+    const PlanningResult result = base.plan(problem);
     if (result.status != PlanningStatus::ok) ++episode.not_ok;
     if (plan_observer) plan_observer(begin, problem, result);
-
-    episode.states.push_back({begin, pose, twist});
-    const Twist2 last = twist;
-    twist = applied_twist(result.command, last, file.limits, period);
-    accelerations.push_back((twist.v - last.v) / period);
     const double h = period / kStepsPerPeriod;
     for (int step = 1; step <= kStepsPerPeriod; ++step) {
       const double time = begin + step * h;
-      people.move_to(time, pose, twist);
-      pose = unicycle_step(pose, twist, h);
+      people.move_to(time, base.pose(), base.twist());
+      base.move(h);
       walks.keep(time, people);
-      judge(scene, rule, people, pose, twist, episode);
-      diary.add(time, truth_at(scene, people, time, pose, twist), footprint);
-      if (observer) observer(time, pose, twist);
+      judge(scene, rule, people, base.pose(), base.twist(), episode);
+      diary.add(time, truth_at(scene, people, time, base.pose(), base.twist()), footprint);
+      if (observer) observer(time, base.pose(), base.twist());
     }
     episode.time = begin + period;
-    if ((pose.position() - scene.goal.position()).norm() <= rule.goal_tolerance) {
+    if ((base.pose().position() - scene.goal.position()).norm() <= rule.goal_tolerance) {
       episode.reached = true;
       episode.success = is_success(episode.reached, episode.collision ? 1 : 0);
       break;
     }
   }
-  episode.rms_jerk = rms_jerk(accelerations, period);
+  episode.rms_jerk = base.rms_jerk();
+  episode.ms = base.ms();
   episode.contacts = diary.contacts();
   episode.walks = std::move(walks).take();
   return episode;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "components/evaluation/judged_contact.hpp"
+#include "components/lab/bench/bench_common.hpp"
 #include "components/lab/bench/scene_file.hpp"
 #include "components/model/planning.hpp"
 
@@ -33,9 +34,6 @@ struct CrowdEpisode {
   /// It failed, and success was impossible (possible/theory.md 8.10).
   bool is_excused() const { return reached && bw::is_excused(judged, static_cast<int>(contacts.size())); }
 };
-
-/// CPU time so far [ms].
-using CpuClock = std::function<double()>;
 
 /// Called after every integration step: time since the start [s], pose, velocity driven.
 using StepObserver = std::function<void(double time, const Pose2& pose, const Twist2& twist)>;

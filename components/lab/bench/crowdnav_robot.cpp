@@ -91,16 +91,14 @@ class HolonomicRobot final : public CrowdNavRobot {
 class PlannerRobot final : public CrowdNavRobot {
  public:
   PlannerRobot(const CrowdNavScene& scene, LocalPlanner& planner, CpuClock clock)
-      : pose_(scene.start),
-        planner_(planner),
-        clock_(std::move(clock)),
+      : base_(scene.start, kCrowdNavRadius, crowd_rules().limits, kPeriod,
+              twice_the_limits(crowd_rules().limits, kPeriod), planner, std::move(clock)),
         range_(scene.rules.sensed_range),
-        limits_(crowd_rules().limits),
         plan_{scene.start, {scene.goal.x(), scene.goal.y(), scene.start.theta}},
         motion_{{0.0, scene.start, {}}} {}
 
-  Pose2 pose() const override { return pose_; }
-  CrowdNavAgent agent() const override { return {pose_.position(), twist_.v * direction(pose_.theta)}; }
+  Pose2 pose() const override { return base_.pose(); }
+  CrowdNavAgent agent() const override { return {base_.pose().position(), base_.velocity()}; }
 
   double step(const std::vector<CrowdNavAgent>& people, const std::vector<Vector2>& velocities) override {
     double gap = kFar;
@@ -113,51 +111,40 @@ class PlannerRobot final : public CrowdNavRobot {
     return gap;
   }
 
-  double rms_jerk() const override { return bw::rms_jerk(accelerations_, kPeriod); }
+  double rms_jerk() const override { return base_.rms_jerk(); }
   std::vector<possible::MotionState> motion() const override { return motion_; }
 
  private:
   void replan(const std::vector<CrowdNavAgent>& people) {
-    PlanningProblem problem =
-        problem_alone((ticks_ - 1) * kTick, pose_, twist_, plan_, kCrowdNavRadius, limits_, kPeriod);
+    PlanningProblem problem = base_.problem((ticks_ - 1) * kTick, plan_);
     for (const CrowdNavAgent& person : people) {
-      if (!is_within(range_, pose_.position(), person)) continue;
+      if (!is_within(range_, base_.pose().position(), person)) continue;
       add_mover(problem, person.id + 1, person.position, person.velocity, person.radius);
     }
-    const double before = clock_();
-    const Twist2 command = planner_.plan(problem).command;
-    took(clock_() - before);
-    const Twist2 last = twist_;
-    twist_ = applied_twist(command, last, limits_, kPeriod);
-    accelerations_.push_back((twist_.v - last.v) / kPeriod);
+    base_.plan(problem);
+    took(base_.ms().back());
   }
 
   // Moves robot and people; the least gap on the way.
   double drive_piece(std::vector<CrowdNavAgent>& people) {
     constexpr double h = kTick / kPiecesPerTick;
-    const Pose2 next = unicycle_step(pose_, twist_, h);
-    const Vector2 velocity = (next.position() - pose_.position()) / h;
+    const Vector2 from = base_.pose().position();
+    base_.move(h);
+    const Vector2 velocity = (base_.pose().position() - from) / h;
     double gap = kFar;
     for (CrowdNavAgent& p : people) {
-      gap = std::min(gap,
-                     closest_approach(p.position - pose_.position(), p.velocity - velocity, h) - touching(p));
+      gap = std::min(gap, closest_approach(p.position - from, p.velocity - velocity, h) - touching(p));
       p.position += h * p.velocity;
     }
-    pose_ = next;
-    motion_.push_back({static_cast<double>(motion_.size()) * h, pose_, twist_});
+    motion_.push_back({static_cast<double>(motion_.size()) * h, base_.pose(), base_.twist()});
     return gap;
   }
 
-  Pose2 pose_;
-  Twist2 twist_;
-  LocalPlanner& planner_;
-  CpuClock clock_;
+  PlannedBase base_;
   double range_;
-  Limits limits_;
   std::vector<Pose2> plan_;
   std::vector<possible::MotionState> motion_;
   int ticks_ = 0;  // so far
-  std::vector<double> accelerations_;
 };
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "components/evaluation/possible/search_scene.hpp"
-#include "components/lab/bench/crowd_episode.hpp"
+#include "components/lab/bench/bench_common.hpp"
 #include "components/lab/bench/crowdnav_people.hpp"
 #include "components/model/limits.hpp"
 #include "components/model/planning.hpp"

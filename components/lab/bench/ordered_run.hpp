@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "components/lab/bench/bench_common.hpp"
-#include "components/lab/bench/crowd_episode.hpp"
 
 namespace bw {
 

@@ -9,8 +9,8 @@
 
 #include "components/lab/bench/bench_common.hpp"
 #include "components/lab/bench/planner_alone.hpp"
-#include "components/lab/bench/unicycle.hpp"
 #include "components/model/nearest_point.hpp"
+#include "components/model/progress_checker.hpp"
 
 namespace bw {
 namespace {
@@ -22,41 +22,38 @@ constexpr int kRollOutSteps = 4;  // between two predicted positions
 constexpr double kJudgedAfter =
     6.0;  // [s] for which the others go on after a contact: more than a search's 5 s
 
-// Within what the base does in kSceneStep.
-Twist2 applied(const Twist2& command, const Twist2& last, const Limits& limits) {
-  const double up = limits.acc_max * kSceneStep;
-  const double down = limits.stop_deceleration * kSceneStep;
-  const double turn = limits.alpha_max * kSceneStep;
-  const double v = std::clamp(command.v, -limits.v_back_max, limits.v_max);
-  const double omega = std::clamp(command.omega, -limits.omega_max, limits.omega_max);
-  return {std::clamp(v, last.v - down, last.v + up), std::clamp(omega, last.omega - turn, last.omega + turn)};
+// What the base does in kSceneStep.
+TwistChange change_of(const Limits& limits) {
+  return {limits.acc_max * kSceneStep, limits.stop_deceleration * kSceneStep, limits.alpha_max * kSceneStep};
 }
 
 class Drive {
  public:
-  Drive(const DriveScene& scene, ScenePrediction prediction)
-      : scene_(scene), prediction_(prediction), movers_(scene.movers->clone()), pose_(scene.start) {
+  Drive(const DriveScene& scene, ScenePrediction prediction, LocalPlanner& planner, const CpuClock& clock)
+      : scene_(scene),
+        prediction_(prediction),
+        movers_(scene.movers->clone()),
+        base_(scene.start, scene.robot_radius, scene.limits, kSceneStep, change_of(scene.limits), planner,
+              clock) {
     keep();
   }
 
-  SceneDrive with(LocalPlanner& planner, const CpuClock& clock) {
+  SceneDrive run() {
     SceneDrive drive;
     drive.name = scene_.name;
-    std::vector<double> accelerations;
     while (!drive.passed && time() < scene_.timeout - 1e-9) {
-      const PlanningProblem problem = problem_now();
-      const double before = clock();
-      const Twist2 command = planner.plan(problem).command;
-      drive.ms.push_back(clock() - before);
-      const Twist2 last = twist_;
-      twist_ = applied(command, last, scene_.limits);
-      accelerations.push_back((twist_.v - last.v) / kSceneStep);
-      states_.push_back({time(), pose_, twist_});
+      const PlanningResult result = base_.plan(problem_now());
+      drive.infeasible += result.status == PlanningStatus::infeasible ? 1 : 0;
+      states_.push_back({time(), base_.pose(), base_.twist()});
       step(drive);
-      drive.passed = scene_.is_done(pose_);
+      const bool gets_on = progress_.update(Time::seconds(time()), base_.pose(), {.time = kBlockedTime});
+      drive.passed = scene_.is_done(base_.pose()) || (scene_.is_blocked && !gets_on);
     }
     drive.duration = time();
-    drive.rms_jerk = rms_jerk(accelerations, kSceneStep);
+    drive.rms_jerk = base_.rms_jerk();
+    drive.ms = base_.ms();
+    drive.wall = scene_.walls_count && drive.min_wall < 0.0;
+    drive.contacts += drive.wall ? 1 : 0;
     for (const ContactRecord& contact : diary_.contacts())
       if (contact.begins_mid_floor) ++drive.sudden_contacts;
     drive.judged = judged();
@@ -65,11 +62,10 @@ class Drive {
 
  private:
   double time() const { return steps_ * kSceneStep; }
-  SceneRobot robot() const { return {pose_.position(), twist_.v * direction(pose_.theta)}; }
+  Vector2 at() const { return base_.pose().position(); }
 
   PlanningProblem problem_now() const {
-    PlanningProblem problem = problem_alone(time(), pose_, twist_, scene_.path(pose_), scene_.robot_radius,
-                                            scene_.limits, kSceneStep);
+    PlanningProblem problem = base_.problem(time(), scene_.path(base_.pose()));
     problem.goal_is_final = scene_.goal_is_final;
     problem.command_lead = kSceneStep;
     problem.obstacles = scene_.walls;
@@ -93,31 +89,30 @@ class Drive {
 
   void step(SceneDrive& drive) {
     const std::vector<SceneDisc> before = movers_->discs();
-    movers_->step(robot());
-    const Pose2 next = unicycle_step(pose_, twist_, kSceneStep);
-    const Vector2 way = next.position() - pose_.position();
+    const Vector2 from = at();
+    movers_->step({from, base_.velocity()});
+    base_.move(kSceneStep);
+    const Vector2 way = at() - from;
     const bool counts = time() >= scene_.unscored;
     for (std::size_t i = 0; counts && i < before.size(); ++i) {
       const SceneDisc& after = movers_->discs()[i];
       if (after.id != before[i].id) continue;
       const Vector2 walked = after.position - before[i].position;
       const double distance =
-          closest_approach(before[i].position - pose_.position(), (walked - way) / kSceneStep, kSceneStep);
+          closest_approach(before[i].position - from, (walked - way) / kSceneStep, kSceneStep);
       drive.min_gap = std::min(drive.min_gap, distance - scene_.robot_radius - after.radius);
     }
     drive.path += way.norm();
-    pose_ = next;
     ++steps_;
     keep();
     for (const Segment& wall : scene_.walls.segments)
       drive.min_wall =
-          std::min(drive.min_wall,
-                   (nearest_point(wall, pose_.position()) - pose_.position()).norm() - scene_.robot_radius);
+          std::min(drive.min_wall, (nearest_point(wall, at()) - at()).norm() - scene_.robot_radius);
     if (!counts) return;
     TruthSample sample;
     sample.time = Time::seconds(time());
-    sample.X_MB = pose_;
-    sample.twist = twist_;
+    sample.X_MB = base_.pose();
+    sample.twist = base_.twist();
     for (const SceneDisc& disc : movers_->discs())
       sample.people.push_back({disc.id + 1, disc.position, disc.velocity, disc.radius});
     diary_.add(time(), sample, {.radius = scene_.robot_radius, .polygon = {}});
@@ -138,7 +133,7 @@ class Drive {
     const std::vector<ContactRecord> contacts = diary_.contacts();
     if (contacts.empty()) return {};
     while (time() < contacts.back().time + kJudgedAfter) {
-      movers_->step({pose_.position(), {0.0, 0.0}});
+      movers_->step({at(), {0.0, 0.0}});
       ++steps_;
       keep();
     }
@@ -152,9 +147,9 @@ class Drive {
   const DriveScene& scene_;
   ScenePrediction prediction_;
   std::unique_ptr<SceneMovers> movers_;
-  Pose2 pose_;
-  Twist2 twist_;
+  PlannedBase base_;
   int steps_ = 0;
+  ProgressChecker progress_;
   ContactDiary diary_;
   std::vector<possible::MotionState> states_;
   std::map<std::uint32_t, possible::Walk> walks_;
@@ -162,6 +157,7 @@ class Drive {
 
 const char* outcome_of(const SceneDrive& drive) {
   if (!drive.passed) return "timeout";
+  if (drive.wall) return "wall";
   return drive.contacts > 0 ? "contact" : "passed";
 }
 
@@ -173,7 +169,7 @@ const char* to_text(ScenePrediction prediction) {
 
 SceneDrive drive_scene(const DriveScene& scene, ScenePrediction prediction, LocalPlanner& planner,
                        const CpuClock& clock) {
-  return Drive(scene, prediction).with(planner, clock);
+  return Drive(scene, prediction, planner, clock).run();
 }
 
 std::vector<RatedDrive> rated(const std::vector<SceneDrive>& drives) {
@@ -200,7 +196,9 @@ Json to_json(const std::vector<SceneDrive>& drives) {
                             {"passed", d.passed},
                             {"time_s", d.duration},
                             {"path_m", d.path},
+                            {"infeasible_cycles", d.infeasible},
                             {"contacts_counted", d.contacts},
+                            {"wall", d.wall},
                             {"sudden_contacts", d.sudden_contacts},
                             {"min_gap_m", d.min_gap},
                             {"min_wall_m", d.min_wall}});

@@ -11,7 +11,7 @@
 
 #include "components/evaluation/judged_contact.hpp"
 #include "components/evaluation/success.hpp"
-#include "components/lab/bench/crowd_episode.hpp"
+#include "components/lab/bench/bench_common.hpp"
 #include "components/lab/bench/drive_rates.hpp"
 #include "components/model/planning.hpp"
 
@@ -31,6 +31,9 @@ struct SceneDisc {
 };
 
 inline constexpr double kSceneStep = 0.05;  ///< [s] of everybody, and between plans
+
+/// As whoever follows a path is judged (components/model/progress_checker.hpp): half a metre within so long [s].
+inline constexpr double kBlockedTime = 5.0;
 
 /// Who moves about.
 class SceneMovers {
@@ -53,11 +56,14 @@ struct DriveScene {
   std::string name;
   Pose2 start;
   std::shared_ptr<const SceneMovers> movers;
-  StaticObstacles walls;  ///< that the planner sees; contacts with them are told, not counted
+  StaticObstacles walls;     ///< that the planner sees
+  bool walls_count = false;  ///< a contact with them is one; false: they are told, not counted
   Limits limits;
   double robot_radius = 0.3;
   double timeout = 30.0;
   double unscored = 0.0;  ///< at the start, in which a contact does not count
+  /// No way leads on: who made no progress for kBlockedTime is told so, and has passed.
+  bool is_blocked = false;
   std::function<bool(const Pose2&)> is_done;
   std::function<std::vector<Pose2>(const Pose2&)> path;  ///< that the planner is given
   bool goal_is_final = false;                            ///< the path ends where the drive does
@@ -68,7 +74,9 @@ struct SceneDrive {
   bool passed = false;      ///< in time
   double duration = 0.0;    ///< [s] until then, or the timeout
   int contacts = 0;         ///< that count
+  bool wall = false;        ///< one of them with a wall
   int sudden_contacts = 0;  ///< of these, with who came to be less than a second before
+  int infeasible = 0;       ///< cycles in which the planner found no way
   double path = 0.0;        ///< [m]
   double min_gap = std::numeric_limits<double>::infinity();   ///< [m] between outlines
   double min_wall = std::numeric_limits<double>::infinity();  ///< [m] from the robot's outline to the walls

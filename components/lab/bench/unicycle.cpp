@@ -7,12 +7,17 @@
 
 namespace bw {
 
-Twist2 applied_twist(const Twist2& command, const Twist2& last, const Limits& limits, double period) {
+TwistChange twice_the_limits(const Limits& limits, double period) {
   const double dv = 2.0 * limits.acc_max * period;
-  const double domega = 2.0 * limits.alpha_max * period;
-  return {std::clamp(std::clamp(command.v, -limits.v_back_max, limits.v_max), last.v - dv, last.v + dv),
-          std::clamp(std::clamp(command.omega, -limits.omega_max, limits.omega_max), last.omega - domega,
-                     last.omega + domega)};
+  return {dv, dv, 2.0 * limits.alpha_max * period};
+}
+
+Twist2 applied_twist(const Twist2& command, const Twist2& last, const Limits& limits,
+                     const TwistChange& change) {
+  const double v = std::clamp(command.v, -limits.v_back_max, limits.v_max);
+  const double omega = std::clamp(command.omega, -limits.omega_max, limits.omega_max);
+  return {std::clamp(v, last.v - change.fall, last.v + change.rise),
+          std::clamp(omega, last.omega - change.turn, last.omega + change.turn)};
 }
 
 Pose2 unicycle_step(const Pose2& pose, const Twist2& twist, double h) {

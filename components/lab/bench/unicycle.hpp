@@ -9,8 +9,19 @@
 
 namespace bw {
 
-/// `command` within the limits, and within 2 acc_max `period` and 2 alpha_max `period` of `last`.
-Twist2 applied_twist(const Twist2& command, const Twist2& last, const Limits& limits, double period);
+/// By how much a command differs from the last one at most.
+struct TwistChange {
+  double rise = 0.0;  ///< of v [m/s]
+  double fall = 0.0;
+  double turn = 0.0;  ///< of omega [rad/s]
+};
+
+/// Twice what the limits are in `period` [s].
+TwistChange twice_the_limits(const Limits& limits, double period);
+
+/// `command` within the limits, and within `change` of `last`.
+Twist2 applied_twist(const Twist2& command, const Twist2& last, const Limits& limits,
+                     const TwistChange& change);
 
 /// After `h` [s] of `twist`, by (1.1).
 Pose2 unicycle_step(const Pose2& pose, const Twist2& twist, double h);

@@ -1,4 +1,5 @@
 // `bandwagon-lab tune`: a planner's parameters by successive halving, judged on other seeds and on another suite.
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <numeric>

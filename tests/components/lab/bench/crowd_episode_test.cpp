@@ -12,24 +12,12 @@
 #include "components/lab/bench/crowd_report.hpp"
 #include "components/lab/bench/crowd_verdict.hpp"
 #include "components/lab/bench/crowd_walk.hpp"
+#include "tests/components/lab/bench/constant_planner.hpp"
 
 namespace bw {
 namespace {
 
-class ConstantPlanner final : public LocalPlanner {
- public:
-  explicit ConstantPlanner(const Twist2& command) : command_(command) {}
-  PlanningResult plan(const PlanningProblem&) override {
-    PlanningResult result;
-    result.status = PlanningStatus::ok;
-    result.command = command_;
-    return result;
-  }
-  void reset() override {}
-
- private:
-  Twist2 command_;
-};
+using test::ConstantPlanner;
 
 double no_time() { return 0.0; }
 
