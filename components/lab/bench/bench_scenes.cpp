@@ -70,7 +70,8 @@ int only_sudden(const std::vector<SceneDrive>& drives) {
 std::string table_of(const std::vector<Row>& rows) {
   std::vector<DriveRates> rates;
   OwnColumn success{"success", "share", {}}, sudden{"sudden", "only these", {}},
-      time{"time s", "mean (sigma)", {}}, quartiles{"time s", "quartiles", {}}, lost{"lost s", "mean", {}};
+      time{"time s", "mean (sigma)", {}}, quartiles{"time s", "quartiles", {}}, alone{"time s", "alone", {}},
+      lost{"lost s", "mean", {}};
   for (const Row& row : rows) {
     const Durations t = durations_of(row.drives);
     rates.push_back(rates_of(row.planner, rated(row.drives)));
@@ -79,9 +80,10 @@ std::string table_of(const std::vector<Row>& rows) {
     time.cells.push_back(fmt::format("{:.2f} ({:.2f})", t.mean, t.sigma));
     quartiles.cells.push_back(
         fmt::format("{:.2f} / {:.2f} / {:.2f}", t.first_quartile, t.median, t.third_quartile));
+    alone.cells.push_back(fmt::format("{:.2f}", row.empty));
     lost.cells.push_back(fmt::format("{:.2f}", t.mean - row.empty));
   }
-  return drive_table(rates, {success, sudden, time, quartiles, lost});
+  return drive_table(rates, {success, sudden, time, quartiles, alone, lost});
 }
 
 class SceneBench {
@@ -92,29 +94,33 @@ class SceneBench {
     for (const std::string& planner : arguments_.planners) make_planner(planner, options_);
   }
 
-  int run(const std::vector<SceneSet>& sets, const DriveScene& empty) const {
-    std::vector<Row> rows;
-    for (const std::string& planner : arguments_.planners) {
-      const BenchConditions conditions{BenchWeights::defaults, options_, empty.limits,
-                                       Budget{}.max_iterations};
-      const SceneDrive alone = drive(planner, empty, process_cpu_ms);
-      rows.push_back({planner, alone.duration, {}});
-      std::printf("%s; %s\nwithout anybody: %.2f s\n", planner.c_str(), in_a_line(conditions).c_str(),
-                  alone.duration);
-    }
+  int run(const std::vector<SceneSet>& sets) const {
     Json all = Json::array();
+    bool missed_any = false;
     for (const SceneSet& set : sets) {
-      std::string failed;
-      for (Row& row : rows) {
-        row.drives = drives(row.planner, set.scenes);
-        failed += failures(row.planner, rated(row.drives));
+      std::vector<Row> rows;
+      std::string failed, gates;
+      for (const std::string& planner : arguments_.planners) {
+        const BenchConditions conditions{BenchWeights::defaults, options_, set.empty.limits,
+                                         Budget{}.max_iterations};
+        std::printf("%s; %s\n", planner.c_str(), in_a_line(conditions).c_str());
+        rows.push_back({planner, drive(planner, set.empty, process_cpu_ms).duration, {}});
+        Row& row = rows.back();
+        row.drives = drives(planner, set.scenes);
+        failed += failures(planner, rated(row.drives));
         all.push_back(json_of(set.name, row));
+        if (set.gate) {
+          const std::string what = missed(*set.gate, row.drives);
+          gates += fmt::format("gate of {}: {}\n", planner, what.empty() ? "met" : "MISSED, " + what);
+          all.back()["gate_missed"] = what;
+          missed_any |= !what.empty();
+        }
         write_json(arguments_.json, {{"prediction", to_text(arguments_.prediction)}, {"rows", all}});
       }
-      std::printf("\n%s%s, prediction %s\n%s", failed.c_str(), set.name.c_str(),
-                  to_text(arguments_.prediction), table_of(rows).c_str());
+      std::printf("\n%s%s, prediction %s\n%s%s", failed.c_str(), set.name.c_str(),
+                  to_text(arguments_.prediction), table_of(rows).c_str(), gates.c_str());
     }
-    return 0;
+    return arguments_.check && missed_any ? 1 : 0;
   }
 
  private:
@@ -138,9 +144,34 @@ class SceneBench {
 
 }  // namespace
 
-int bench_scenes(const std::vector<SceneSet>& sets, const DriveScene& empty,
-                 const BenchScenesArguments& arguments) {
-  return SceneBench(arguments).run(sets, empty);
+std::string missed(const SceneGate& gate, const std::vector<SceneDrive>& drives) {
+  const double count = static_cast<double>(drives.size());
+  double successes = 0.0, stuck = 0.0;
+  int closing = 0, at_speed = 0;
+  for (const SceneDrive& drive : drives) {
+    successes += drive.success() ? 1.0 : 0.0;
+    stuck += drive.passed ? 0.0 : 1.0;
+    closing += drive.wall ? 1 : 0;
+    at_speed += drive.wall ? 1 : 0;
+    for (const JudgedContact& contact : drive.judged) {
+      closing += contact.record.closing.who == WhoHit::robot_closing ? 1 : 0;
+      at_speed += contact.record.at_speed ? 1 : 0;
+    }
+  }
+  std::vector<std::string> all;
+  constexpr double kRounding = 1e-9;
+  if (successes < gate.least_success * count - kRounding)
+    all.push_back(fmt::format("success {:.3f} of {:.3f}", successes / count, gate.least_success));
+  if (stuck > gate.most_stuck * count + kRounding)
+    all.push_back(fmt::format("{:.3f} do not pass of {:.3f}", stuck / count, gate.most_stuck));
+  if (gate.no_robot_closing && closing > 0)
+    all.push_back(fmt::format("{} contacts that the robot drove into", closing));
+  if (gate.no_contact_at_speed && at_speed > 0) all.push_back(fmt::format("{} contacts at speed", at_speed));
+  return fmt::format("{}", fmt::join(all, ", "));
+}
+
+int bench_scenes(const std::vector<SceneSet>& sets, const BenchScenesArguments& arguments) {
+  return SceneBench(arguments).run(sets);
 }
 
 }  // namespace bw

@@ -320,6 +320,7 @@ void add_bench(cli::Verb bench) {
   add_crowdnav(bench);
   add_corridor(bench);
   add_dynabarn(bench);
+  add_flows(bench);
   add_scaling(bench);
   add_bag(bench);
   add_people(bench);

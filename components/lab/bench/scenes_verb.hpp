@@ -1,4 +1,4 @@
-// `bandwagon bench corridor` and `bandwagon bench dynabarn`: their options.
+// `bandwagon bench corridor`, `dynabarn` and `flows`: their options.
 #pragma once
 
 #include "runtime/cli/verb.hpp"
@@ -7,5 +7,6 @@ namespace bw {
 
 void add_corridor(cli::Verb bench);
 void add_dynabarn(cli::Verb bench);
+void add_flows(cli::Verb bench);
 
 }  // namespace bw

@@ -1,9 +1,13 @@
 #include "components/lab/bench/corridor/corridor_scene.hpp"
 
 #include <algorithm>
+#include <array>
+#include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "components/lab/bench/scene_actors.hpp"
 #include "components/model/random.hpp"
 
 namespace bw {
@@ -23,9 +27,11 @@ constexpr double kWallFrom = -6.5;
 constexpr double kWallTo = 39.5;
 constexpr double kLookahead = 8.0;  // [m] of the path that the planner is given
 
-Vector2 place(Random& random, const Stretch& stretch) {
-  const double x = random.uniform(stretch.first, stretch.last);
-  return {x, random.uniform(-kCorridorHalfWidth, kCorridorHalfWidth)};
+constexpr Stretch kAcross{-kCorridorHalfWidth, kCorridorHalfWidth};
+
+Vector2 place(Random& random, const Stretch& along, const Stretch& across = kAcross) {
+  const double x = random.uniform(along.first, along.last);
+  return {x, random.uniform(across.first, across.last)};
 }
 
 bool is_free(const Vector2& position, const std::vector<PedsimPerson>& there) {
@@ -67,13 +73,42 @@ std::vector<PedsimPerson> corridor_people(int people, std::uint64_t seed) {
   return all;
 }
 
-DriveScene corridor_scene(int people, std::uint64_t seed) {
+namespace {
+
+// Somebody of a box who walks towards another place of it, `across` further on along y, and on for ever.
+struct StraightRule {
+  Stretch x, y;
+  double across;
+  double speed, sigma;  // [m/s]
+};
+
+StraightRule straight_rule(int people) {
+  if (people <= 4) return {{1.0, 10.0}, kAcross, 0.0, 1.1, 0.1};
+  return {{4.0, 20.0}, kAcross, 0.0, 1.4, 0.26};
+}
+
+// Three sidewalks.
+const std::array kSidewalks{StraightRule{{8.0, 10.0}, {-10.0, -3.0}, 40.0, 0.85, 0.15},
+                            StraightRule{{14.0, 16.0}, {6.0, 14.0}, -40.0, 0.85, 0.15},
+                            StraightRule{{22.0, 24.0}, {10.0, 15.0}, -40.0, 0.85, 0.15}};
+
+SceneActor straight(std::size_t id, const Vector2& from, const Vector2& to, double speed) {
+  return {{.id = static_cast<std::uint32_t>(id),
+           .position = from,
+           .velocity = speed * (to - from).normalized(),
+           .radius = kCorridorPersonRadius}};
+}
+
+SceneActor draw(const StraightRule& rule, std::size_t id, Random& random) {
+  const Vector2 from = place(random, rule.x, rule.y);
+  const Vector2 to = place(random, rule.x, rule.y) + Vector2(0.0, rule.across);
+  return straight(id, from, to, std::max(0.1, random.normal(rule.speed, rule.sigma)));
+}
+
+DriveScene corridor_of(std::string name, std::shared_ptr<const SceneMovers> movers) {
   DriveScene scene;
-  scene.name = fmt::format("{} people seed {}", people, seed);
-  std::vector<Segment> walls;
-  for (const double y : {-kCorridorPeopleWalls, kCorridorPeopleWalls})
-    walls.push_back({{kWallFrom, y}, {kWallTo, y}});
-  scene.movers = std::make_shared<PedsimPeople>(corridor_people(people, seed), walls, kCorridorPersonRadius);
+  scene.name = std::move(name);
+  scene.movers = std::move(movers);
   for (const double y : {-kCorridorHalfWidth, kCorridorHalfWidth})
     scene.walls.segments.push_back({{kWallFrom, y}, {kWallTo, y}});
   scene.limits = corridor_limits();
@@ -85,6 +120,47 @@ DriveScene corridor_scene(int people, std::uint64_t seed) {
     return std::vector<Pose2>{{pose.x, 0.0, 0.0}, {pose.x + kLookahead, 0.0, 0.0}};
   };
   return scene;
+}
+
+}  // namespace
+
+DriveScene corridor_scene(int people, std::uint64_t seed) {
+  std::vector<Segment> walls;
+  for (const double y : {-kCorridorPeopleWalls, kCorridorPeopleWalls})
+    walls.push_back({{kWallFrom, y}, {kWallTo, y}});
+  return corridor_of(
+      fmt::format("{} people seed {}", people, seed),
+      std::make_shared<PedsimPeople>(corridor_people(people, seed), walls, kCorridorPersonRadius));
+}
+
+DriveScene straight_corridor_scene(int people, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<SceneActor> actors;
+  for (int i = 0; i < people; ++i) actors.push_back(draw(straight_rule(people), actors.size(), random));
+  return corridor_of(fmt::format("{} people seed {}", people, seed), std::make_shared<SceneActors>(actors));
+}
+
+DriveScene crossing_scene(std::uint64_t seed) {
+  Random random(seed);
+  std::vector<SceneActor> actors;
+  for (int i = 0; i < kCrossingPeople; ++i)
+    actors.push_back(draw(kSidewalks[random.bits() % kSidewalks.size()], actors.size(), random));
+  return corridor_of(fmt::format("crossing seed {}", seed), std::make_shared<SceneActors>(actors));
+}
+
+std::vector<DriveScene> fixed_crossings() {
+  using Way = std::pair<Vector2, Vector2>;
+  const std::vector<std::tuple<const char*, double, std::vector<Way>>> all = {
+      {"1_left", 1.0, {{{3.0, -2.5}, {3.0, 3.0}}}},
+      {"2_opposite_crossing", 1.0, {{{3.0, -2.5}, {3.0, 3.0}}, {{4.5, 2.5}, {4.5, -3.0}}}},
+      {"3_lrl", 1.3, {{{3.5, 3.0}, {3.5, -3.0}}, {{7.2, -8.0}, {7.2, 3.0}}, {{12.0, 9.0}, {12.0, -3.0}}}}};
+  std::vector<DriveScene> scenes;
+  for (const auto& [name, speed, ways] : all) {
+    std::vector<SceneActor> actors;
+    for (const auto& [from, to] : ways) actors.push_back(straight(actors.size(), from, to, speed));
+    scenes.push_back(corridor_of(name, std::make_shared<SceneActors>(actors)));
+  }
+  return scenes;
 }
 
 }  // namespace bw

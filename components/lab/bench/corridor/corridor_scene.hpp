@@ -17,7 +17,8 @@ inline constexpr double kCorridorEnd = 25.0;           ///< [m] along x
 inline constexpr double kCorridorTimeout = 30.0;       ///< [s]
 inline constexpr double kCorridorRobotRadius = 0.325;  ///< [m]
 inline constexpr double kCorridorPersonRadius = 0.3;   ///< [m]
-inline constexpr double kCorridorUnscored = 1.0;       ///< [s] at the start in which a contact does not count
+inline constexpr int kCrossingPeople = 16;
+inline constexpr double kCorridorUnscored = 1.0;  ///< [s] at the start in which a contact does not count
 
 /// v_max is the reference speed, 2 m/s; braking is harder than speeding up, as the peers' fallback brakes.
 Limits corridor_limits();
@@ -25,5 +26,11 @@ Limits corridor_limits();
 /// `people` of seed 1, 2, ...; the same seed with fewer people has the first of them.
 DriveScene corridor_scene(int people, std::uint64_t seed);
 std::vector<PedsimPerson> corridor_people(int people, std::uint64_t seed);
+
+/// Who keeps their velocity and sees nobody: from box to box in the corridor, or over three sidewalks across it.
+DriveScene straight_corridor_scene(int people, std::uint64_t seed);
+DriveScene crossing_scene(std::uint64_t seed);
+/// One, two and three people who cross, each scene the same always.
+std::vector<DriveScene> fixed_crossings();
 
 }  // namespace bw

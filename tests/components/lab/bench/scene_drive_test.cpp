@@ -2,8 +2,10 @@
 #include "components/lab/bench/scene_drive.hpp"
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -82,6 +84,94 @@ TEST(CorridorPeople, ComeFromBothEndsAndKeepTheirRules) {
   }
   // Half of 2400, within three standard deviations of 24.5.
   EXPECT_NEAR(from_ahead, 0.5 * all, 74.0);
+}
+
+// Of 1200 people the mean speed is within three standard deviations.
+TEST(StraightCorridor, KeepsItsBoxesAndVelocities) {
+  double sum = 0.0, squares = 0.0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    const auto movers = straight_corridor_scene(12, seed).movers->clone();
+    const std::vector<SceneDisc> before = movers->discs();
+    for (int k = 0; k < 600; ++k) movers->step({});
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      EXPECT_GE(before[i].position.x(), 4.0);
+      EXPECT_LE(before[i].position.x(), 20.0);
+      EXPECT_LE(std::abs(before[i].position.y()), 3.0);
+      const Vector2 walked = movers->discs()[i].position - before[i].position;
+      EXPECT_TRUE(walked.isApprox(30.0 * before[i].velocity, 1e-9)) << "for ever";
+      sum += before[i].velocity.norm();
+      squares += before[i].velocity.squaredNorm();
+    }
+  }
+  const double mean = sum / 1200.0;
+  EXPECT_NEAR(mean, 1.4, 3.0 * 0.26 / std::sqrt(1200.0));
+  EXPECT_NEAR(std::sqrt(squares / 1200.0 - mean * mean), 0.26, 0.02);
+}
+
+TEST(Crossing, LeadsOverThreeSidewalks) {
+  int sidewalks[3] = {0, 0, 0};
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    const DriveScene scene = crossing_scene(seed);
+    ASSERT_EQ(scene.movers->discs().size(), 16U);
+    for (const SceneDisc& disc : scene.movers->discs()) {
+      const double x = disc.position.x();
+      const int sidewalk = x < 12.0 ? 0 : x < 19.0 ? 1 : 2;
+      ++sidewalks[sidewalk];
+      EXPECT_EQ(disc.velocity.y() > 0.0, sidewalk == 0);
+      EXPECT_GE(std::abs(disc.position.y()), 3.0) << "off the road";
+    }
+  }
+  for (const int count : sidewalks) EXPECT_NEAR(count, 1600 / 3.0, 3.0 * std::sqrt(1600.0 * 2.0 / 9.0));
+}
+
+// 1 m/s, and 1.3 where a file names no speed.
+TEST(Crossing, OfOneTwoAndThree) {
+  const std::vector<DriveScene> scenes = fixed_crossings();
+  ASSERT_EQ(scenes.size(), 3U);
+  EXPECT_EQ(scenes[0].movers->discs()[0].velocity, Vector2(0.0, 1.0));
+  EXPECT_EQ(scenes[1].movers->discs()[1].velocity, Vector2(0.0, -1.0));
+  ASSERT_EQ(scenes[2].movers->discs().size(), 3U);
+  EXPECT_EQ(scenes[2].movers->discs()[2].velocity, Vector2(0.0, -1.3));
+}
+
+// The files that the rules were read from: what they say of starts, goals and speeds.
+TEST(SharedTmpcScenes, SayWhatTheRulesSay) {
+  const char* shared = std::getenv("BANDWAGON_SHARED");
+  if (shared == nullptr) GTEST_SKIP() << "BANDWAGON_SHARED names no folder with data/tmpc_scenarios/";
+  const std::filesystem::path folder = std::filesystem::path(shared) / "data" / "tmpc_scenarios";
+  const auto text_of = [&](const std::string& name) {
+    std::ifstream in(folder / name);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  const auto count = [](const std::string& text, const std::string& what) {
+    int found = 0;
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++found;
+    return found;
+  };
+  using testing::HasSubstr;
+  for (const int people : {8, 12, 16}) {
+    const std::string text = text_of("random_fast_" + std::to_string(people) + "_straight.xml");
+    EXPECT_THAT(text, HasSubstr(R"(range_x min="4" max="20")"));
+    EXPECT_THAT(text, HasSubstr(R"(range_y min="-3" max="3")"));
+    EXPECT_THAT(text, HasSubstr(R"(range_v min="1.14" max="1.66")")) << "1.4 less and more 0.26";
+    EXPECT_EQ(count(text, "<pedestrian>"), people);
+  }
+  EXPECT_THAT(text_of("random_fast_4_straight.xml"), HasSubstr(R"(range_x min="1" max="10")"));
+  const std::string sidewalks = text_of("crossing_16_random.xml");
+  EXPECT_EQ(count(sidewalks, "<pedestrian>"), kCrossingPeople);
+  EXPECT_EQ(count(sidewalks, R"(range_v min="0.7" max="1.0")"), 3);
+  for (const char* box :
+       {R"(range_x min="8" max="10")", R"(range_y min="-10" max="-3")", R"(range_x min="14" max="16")",
+        R"(range_y min="6" max="14")", R"(range_x min="22" max="24")", R"(range_y min="10" max="15")"})
+    EXPECT_THAT(sidewalks, HasSubstr(box));
+  const std::string three = text_of("crossing_3_lrl.xml");
+  for (const SceneDisc& disc : fixed_crossings()[2].movers->discs()) {
+    std::ostringstream start;
+    start << "start x=\"" << disc.position.x() << "\" y=\"" << disc.position.y() << "\"";
+    EXPECT_THAT(three, HasSubstr(start.str()));
+  }
+  EXPECT_THAT(text_of("crossing_1_left.xml"), HasSubstr(R"(type="velocity" value="1.0")"));
+  EXPECT_EQ(count(three, "velocity"), 0);
 }
 
 // From rest by 2 m/s^2 to 2 m/s: 25 m in 25 / 2 + 0.5 s and the step that ends beyond it.
