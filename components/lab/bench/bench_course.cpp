@@ -24,7 +24,7 @@ std::vector<Course> courses_of(const BenchCourseArguments& arguments) {
   }
   for (int i = 0; i < arguments.generate; ++i) {
     GeneratedCourse drawn = generate_course(arguments.first_seed + static_cast<std::uint64_t>(i));
-    courses.push_back({std::move(drawn.world), drawn.measures});
+    courses.push_back({std::move(drawn.world), drawn.measures, true});
   }
   std::erase_if(courses,
                 [&](const Course& course) { return !course.world.name.starts_with(arguments.only); });
@@ -74,12 +74,12 @@ Json to_json(const Course& course, const CourseOutcome& outcome) {
           {"time_s", outcome.time},
           {"best_time_s", outcome.best_time},
           {"score", outcome.score},
-          {"mean_cycle_ms", outcome.mean_cycle},
+          {"mean_ms", outcome.mean_cycle},
           {"reason", outcome.reason},
           {"samples_sha256", outcome.samples_sha256}};
 }
 
-Json summary_of(const std::string& planner, const std::vector<CourseOutcome>& outcomes) {
+Json summary_of(const std::string& row, const std::vector<CourseOutcome>& outcomes) {
   int successes = 0;
   int contacts = 0;
   std::vector<double> times;
@@ -96,7 +96,7 @@ Json summary_of(const std::string& planner, const std::vector<CourseOutcome>& ou
   std::printf(
       "%s", fmt::format(
                 "{}: {} of {} ({:.2f} to {:.2f}), {} with contacts, mean time {:.2f} s, mean score {:.3f}\n",
-                planner, successes, count, share.low, share.high, contacts, mean(times), mean(scores))
+                row, successes, count, share.low, share.high, contacts, mean(times), mean(scores))
                 .c_str());
   return {{"courses", count},          {"success_means", kSuccessMeans}, {"successes", successes},
           {"with_contacts", contacts}, {"mean_time_s", mean(times)},     {"mean_score", mean(scores)}};
@@ -116,20 +116,26 @@ int bench_course(const BenchCourseArguments& arguments) {
           given.least.narrowest, given.most.narrowest)
           .c_str());
   print_range("these courses span", courses);
-  Json results = Json::array();
+  Json rows = Json::array();
   for (const std::string& planner : arguments.planners) {
-    std::printf("%s\n", planner.c_str());
-    std::vector<CourseOutcome> outcomes;
-    Json drives = Json::array();
-    for (const Course& course : courses) {
-      outcomes.push_back(drive_course(course, planner, arguments));
-      print(course, outcomes.back());
-      drives.push_back(to_json(course, outcomes.back()));
+    for (const bool generated : {false, true}) {
+      const std::string set = generated ? "BARN, generated worlds" : "BARN, given worlds";
+      std::vector<CourseOutcome> outcomes;
+      Json drives = Json::array();
+      for (const Course& course : courses) {
+        if (course.generated != generated) continue;
+        outcomes.push_back(drive_course(course, planner, arguments));
+        print(course, outcomes.back());
+        drives.push_back(to_json(course, outcomes.back()));
+      }
+      if (outcomes.empty()) continue;
+      rows.push_back({{"set", set},
+                      {"planner", planner},
+                      {"drives", std::move(drives)},
+                      {"summary", summary_of(fmt::format("{}, {}", set, planner), outcomes)}});
+      write_json(arguments.json, {{"whole_graph", true}, {"rows", rows}});
     }
-    results.push_back(
-        {{"planner", planner}, {"drives", std::move(drives)}, {"summary", summary_of(planner, outcomes)}});
   }
-  write_json(arguments.json, {{"planners", std::move(results)}});
   return 0;
 }
 

@@ -29,6 +29,7 @@ struct BenchCourseArguments {
 struct Course {
   CourseWorld world;
   CourseMeasures measures;
+  bool generated = false;  ///< from a seed; else one of a folder
 };
 
 /// What came of it.
@@ -62,7 +63,8 @@ std::vector<CourseWorld> read_courses(const std::string& folder);
 CourseOutcome drive_course(const Course& course, const std::string& planner,
                            const BenchCourseArguments& arguments);
 
-/// Prints the courses, a line for each drive and the means; writes JSON and pictures. Returns the exit status
+/// Prints the courses, a line for each drive and the means; writes JSON, given and generated courses as suites of their own, and
+/// pictures. Returns the exit status
 /// (0). Throws std::runtime_error on unusable files or names.
 int bench_course(const BenchCourseArguments& arguments);
 

@@ -71,6 +71,7 @@ BoardFigures figures_of(const BoardRow& row) {
   f.jerk = mean_of(row.drives, false, [](const BoardDrive& d) { return d.jerk; });
   f.collision_index = mean_of(row.drives, false, [](const BoardDrive& d) { return d.collision_index; });
   f.cycle = mean_of(row.drives, false, [](const BoardDrive& d) { return d.cycle; });
+  f.score = mean_of(row.drives, false, [](const BoardDrive& d) { return d.score; });
   return f;
 }
 

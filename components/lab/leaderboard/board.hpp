@@ -21,6 +21,7 @@ struct BoardDrive {
   std::optional<double> jerk;             ///< [m/s^3]
   std::optional<double> collision_index;  ///< the largest
   std::optional<double> cycle;            ///< CPU of one, mean [ms]
+  std::optional<double> score;            ///< by the suite's own rule
   HitCounts contacts;                     ///< by who moved into whom
   std::string page;                       ///< that plays the drive; empty: none
 };
@@ -47,6 +48,7 @@ struct BoardFigures {
   Interval success;
   std::optional<double> time, path;  ///< of the drives that succeeded, mean
   std::optional<double> jerk, collision_index, cycle;
+  std::optional<double> score;  ///< of all drives, mean
   HitCounts contacts;
   Comparison against_best;  ///< this one less the best of the suite, on the episodes that both drove
   bool wins = false;        ///< the best, or not shown to be worse: McNemar's p at least 0.05

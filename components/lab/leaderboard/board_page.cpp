@@ -42,14 +42,15 @@ report::Table who_wins(const std::vector<BoardSuite>& suites,
 
 report::Table rows_of(const std::vector<BoardFigures>& figures) {
   report::Table table({"planner", "drives", "starts", "success (95 % over starts)", "less than the best", "p",
-                       "time [s]", "way [m]", "jerk [m/s^3]", "largest CI", "cycle [ms]",
+                       "score", "time [s]", "way [m]", "jerk [m/s^3]", "largest CI", "cycle [ms]",
                        "contacts by who moved"});
   for (const BoardFigures& f : figures) {
     const MeanInterval& less = f.against_best.success;
     table.row({f.planner, f.drives, f.starts, success_of(f),
                fmt::format("{:+.1f} ({:+.1f} to {:+.1f}) points of {} pairs", 100.0 * less.mean,
                            100.0 * less.low, 100.0 * less.high, f.against_best.pairs),
-               f.against_best.p, f.time, f.path, f.jerk, f.collision_index, f.cycle, f.contacts.in_words()});
+               f.against_best.p, f.score, f.time, f.path, f.jerk, f.collision_index, f.cycle,
+               f.contacts.in_words()});
   }
   return table;
 }
@@ -111,6 +112,7 @@ nlohmann::ordered_json to_json(const std::vector<BoardSuite>& suites) {
                       {"less_than_best", f.against_best.success.mean},
                       {"mcnemar_p", f.against_best.p},
                       {"pairs", f.against_best.pairs},
+                      {"score", value(f.score)},
                       {"time_s", value(f.time)},
                       {"path_m", value(f.path)},
                       {"rms_jerk_mps3", value(f.jerk)},

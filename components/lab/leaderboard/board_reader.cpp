@@ -36,6 +36,7 @@ BoardDrive drive_of(const Json& json) {
   drive.time = figure(json, {"time_s", "time_to_goal_s"});
   drive.path = figure(json, {"path_m", "path_length_m"});
   drive.jerk = figure(json, {"rms_jerk_mps3"});
+  drive.score = figure(json, {"score"});
   drive.collision_index = figure(json, {"max_collision_index"});
   drive.cycle = json.contains("planner_ms") && json.at("planner_ms").is_object()
                     ? figure(json.at("planner_ms"), {"mean_ms"})
@@ -98,7 +99,8 @@ void add_file(Suites& suites, const Json& root) {
     const std::string with =
         root.value("prediction", "") == "roll_out" ? ", people's own rule predicted" : "";
     for (const Json& row : root.at("rows"))
-      suites.add(row.at("set").get<std::string>() + with, false, row.at("planner"), row.at("drives"));
+      suites.add(row.at("set").get<std::string>() + with, root.value("whole_graph", false), row.at("planner"),
+                 row.at("drives"));
   } else if (root.contains("scene")) {
     const std::string name = fmt::format("CrowdNav's {}, robot {}{}", root.at("scene").get<std::string>(),
                                          root.value("visible", false) ? "visible" : "invisible",

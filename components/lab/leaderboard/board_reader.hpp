@@ -8,7 +8,7 @@
 
 namespace bw {
 
-/// Adds the drives of a file of `evaluate --json`, or of `bench crowd`, `crowdnav`, `corridor` or `dynabarn`. Rows of a
+/// Adds the drives of a file of `evaluate --json`, or of `bench crowd`, `crowdnav`, `corridor`, `dynabarn`, `flows` or `course`. Rows of a
 /// suite that is there already stand beside its others; the same planner twice is refused. Throws std::runtime_error that
 /// names the file.
 void read_board(const std::filesystem::path& file, std::vector<BoardSuite>& suites);

@@ -23,7 +23,8 @@ void print(const std::vector<BoardSuite>& suites) {
       std::cout << fmt::format("  {} {:<24} {:5.1f} % ({:.1f} to {:.1f}), {} drives from {} starts{}\n",
                                f.wins ? '*' : ' ', f.planner, 100.0 * f.share(), 100.0 * f.success.low,
                                100.0 * f.success.high, f.drives, f.starts,
-                               f.time ? fmt::format(", {:.2f} s", *f.time) : "");
+                               (f.time ? fmt::format(", {:.2f} s", *f.time) : "") +
+                                   (f.score ? fmt::format(", score {:.3f}", *f.score) : ""));
   }
   std::cout << "* the best, or not shown to be worse\n";
 }

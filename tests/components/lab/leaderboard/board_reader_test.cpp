@@ -65,9 +65,24 @@ TEST_F(BoardFiles, OfEvaluationsHaveARowForEachPlanner) {
   EXPECT_THAT(page, testing::HasSubstr("[teb, full, seed 1](f.html)"));
 }
 
+// `bench course`: whole robots, with a score of its own rule, of which 0.5 and 0 are 0.25.
+TEST_F(BoardFiles, OfCoursesHaveAScore) {
+  read_board(
+      file("c.json",
+           R"({"whole_graph": true, "rows": [{"set": "BARN, given worlds", "planner": "eteb", "drives": [
+    {"name": "world_000", "success": true, "contacts": 0, "time_s": 5.0, "score": 0.5, "mean_ms": 1.0},
+    {"name": "world_030", "success": false, "contacts": 1, "time_s": 9.0, "score": 0.0, "mean_ms": 1.0}]}]})"),
+      suites);
+  ASSERT_EQ(suites.size(), 1U);
+  EXPECT_TRUE(suites[0].whole_graph);
+  EXPECT_DOUBLE_EQ(*figures_of(suites[0])[0].score, 0.25);
+  EXPECT_THAT(board_page(suites).json().dump(), testing::HasSubstr("score"));
+}
+
 // `bench crowd`: one planner is a row alone, several are `planners`.
 TEST_F(BoardFiles, OfACrowdHaveOnePlannerOrSeveral) {
-  const std::string row = R"({"planner": "teb", "episodes": [{"name": "31001", "success": true, "time_s": 20.0}]})";
+  const std::string row =
+      R"({"planner": "teb", "episodes": [{"name": "31001", "success": true, "time_s": 20.0}]})";
   read_board(file("one.json", row), suites);
   read_board(file("two.json", R"({"planners": [{"planner": "eteb", "episodes": []}]})"), suites);
   ASSERT_EQ(suites.size(), 1U);
