@@ -59,7 +59,6 @@ Recorded record(bool splintered) {
 void BM_Detect(benchmark::State& state) {
   const Recorded recorded = record(state.range(0) != 0);
   Detector detector(DetectorOptions{});
-  detector.set_map(recorded.map);
   const std::vector<Vector2> people(kPeople, Vector2(3.0, 0.0));
   std::size_t sweeps = 0;
   std::size_t clusters = 0;
@@ -73,7 +72,7 @@ void BM_Detect(benchmark::State& state) {
                            recorded.laser.range_min,
                            recorded.laser.range_max,
                            scan.ranges};
-    clusters += detector.detect(sweep, {Pose2{}, people}).detections.size();
+    clusters += detector.detect(sweep, {&recorded.map, Pose2{}, people}).detections.size();
     ++sweeps;
   }
   state.counters["clusters"] = static_cast<double>(clusters) / static_cast<double>(sweeps);

@@ -136,7 +136,7 @@ PeopleFigures try_detector(const Trial& trial) {
       people.clear();
       const Pose2 X_OM = inverse(sweep.X_MO());
       for (const Person& person : sweep.people) people.push_back(X_OM * person.position);
-      const DetectionSet& set = detector.detect(room.view(), {std::nullopt, people});
+      const DetectionSet& set = detector.detect(room.view(), {nullptr, std::nullopt, people});
       if (s % 5 == 0) scoring.add(room, sweep, detector, set);
     }
   }

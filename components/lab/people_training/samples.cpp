@@ -28,7 +28,7 @@ std::vector<Sample> collect(const Collection& collection) {
       people.clear();
       const Pose2 X_OM = inverse(sweep.X_MO());
       for (const Person& person : sweep.people) people.push_back(X_OM * person.position);
-      detector.detect(room.view(), {std::nullopt, people});
+      detector.detect(room.view(), {nullptr, std::nullopt, people});
       if (s % every != 0) continue;
       const std::vector<Label> labels = label_clusters(room, sweep, detector);
       for (std::size_t i = 0; i < labels.size(); ++i) {
