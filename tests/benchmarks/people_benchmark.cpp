@@ -77,7 +77,7 @@ void Sweep20People200Clusters(benchmark::State& state) {
       const std::vector<Vector2> keep = tracker.keep_out();
       const LaserSweep sweep{r.time,          r.X_OL,          r.scan.angle_min, r.scan.angle_increment,
                              laser.range_min, laser.range_max, r.scan.ranges};
-      const DetectionSet& set = detector.detect(sweep, {std::nullopt, keep});
+      const DetectionSet& set = detector.detect(sweep, {nullptr, std::nullopt, keep});
       tracker.update(set);
       worst = std::max(worst, thread_milliseconds() - before);
       clusters = std::max(clusters, static_cast<double>(set.detections.size()));

@@ -110,7 +110,7 @@ class Trial {
                             scans[i]->ranges};
       const double before = thread_milliseconds();
       const std::vector<Vector2> keep = tracker_.keep_out();
-      seen_ = eyes_[i].detector.detect(seen, {std::nullopt, keep});
+      seen_ = eyes_[i].detector.detect(seen, {nullptr, std::nullopt, keep});
       seen_.source = static_cast<int>(i);
       tracker_.update(seen_);
       record_.milliseconds.push_back(thread_milliseconds() - before);
