@@ -106,6 +106,7 @@ class Replay {
         const double before = now();
         work();
         result_.graph_times.push_back(now() - before);
+        return LoopClosing::Pending{};
       });
     if (result.scans.empty()) return;
     search_ = std::make_unique<PlaceSearch>(result.slam);

@@ -57,17 +57,8 @@ UncertainPose LoopClosing::in_first(std::size_t submap) const {
   return marginal_in_first(submap, known_.submaps.front().marginalised, known_.edges, known_.X_MS);
 }
 
-void LoopClosing::do_beside(std::function<void()> work) {
-  done_ = std::make_shared<std::atomic<bool>>(false);
-  beside_([work = std::move(work), done = done_] {
-    work();
-    *done = true;
-    done->notify_all();
-  });
-}
-
 bool LoopClosing::advance() {
-  if (done_ && !*done_) return true;
+  if (pending_.is_done && !pending_.is_done()) return true;
   if (optimisation_) {
     if (optimisation_->step()) return true;
     place(optimisation_->poses());
@@ -162,7 +153,7 @@ void LoopClosing::settle() {
   settled_ = true;
   optimisation_ = std::make_shared<Optimisation>(known_.edges, known_.X_MS);
   if (!beside_) return;
-  do_beside([optimisation = optimisation_] {
+  pending_ = beside_([optimisation = optimisation_] {
     while (optimisation->step()) {
     }
   });
@@ -200,7 +191,10 @@ void LoopClosing::begin_search() {
     search->others = relative_to(later, edges, X_MS);
     search->in_first = marginal_in_first(later, anchor, edges, X_MS);
   };
-  if (beside_) return do_beside(work);
+  if (beside_) {
+    pending_ = beside_(work);
+    return;
+  }
   work();
   open_search();
 }

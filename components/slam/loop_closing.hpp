@@ -2,7 +2,6 @@
 // pieces of work small enough to come between two scans.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -47,13 +46,18 @@ class LoopClosing {
   /// With no work left.
   const State& state() const { return known_; }
 
+  /// Of work that another thread does; both empty: it is done already.
+  struct Pending {
+    std::function<bool()> is_done;
+    std::function<void()> wait;
+  };
   /// Where work with the whole graph is done, which takes tens of milliseconds in a large one: it calls its argument,
   /// now or on another thread. What comes of it is the same; without it, all is done by advance().
-  using Beside = std::function<void(std::function<void()>)>;
+  using Beside = std::function<Pending(std::function<void()>)>;
   void work_beside(Beside beside) { beside_ = std::move(beside); }
   /// Returns when nothing is under way beside.
   void wait() const {
-    if (done_) done_->wait(false);
+    if (pending_.wait) pending_.wait();
   }
 
   void add(const Submap& submap) { waiting_.push_back(submap); }
@@ -80,7 +84,6 @@ class LoopClosing {
  private:
   struct View;
   struct Search;
-  void do_beside(std::function<void()> work);
   void take_up();
   void begin_search();
   void open_search();
@@ -101,10 +104,10 @@ class LoopClosing {
   std::shared_ptr<Search> search_;  ///< of the newest submap
   std::shared_ptr<Optimisation> optimisation_;
   Beside beside_;
-  std::shared_ptr<std::atomic<bool>> done_;  ///< of what is under way beside
-  std::vector<std::size_t> review_;          ///< submaps that the newest may have seen again: may they leave?
-  std::vector<std::size_t> around_;          ///< all that may have seen the same as these
-  bool settled_ = true;                      ///< no loop came since the last optimisation began
+  Pending pending_;                  ///< what is under way beside
+  std::vector<std::size_t> review_;  ///< submaps that the newest may have seen again: may they leave?
+  std::vector<std::size_t> around_;  ///< all that may have seen the same as these
+  bool settled_ = true;              ///< no loop came since the last optimisation began
 };
 
 }  // namespace bw::slam

@@ -148,7 +148,8 @@ std::string text_of_list(const ConfigNode& node) {
 
 void read_string(const ConfigNode& node, const std::string& key, const Field& field, std::string& value,
                  std::vector<Violation>& violations) {
-  const bool is_file_beside = field.path && node.is_scalar() && node.scalar.find('/') != std::string::npos;
+  const bool is_file_beside =
+      !field.choices.empty() && field.path && node.is_scalar() && node.scalar.find('/') != std::string::npos;
   if (!field.choices.empty() && !is_file_beside) {
     if (read_choice(node, key, field.choices.all(), violations) != nullptr) value = node.scalar;
     return;

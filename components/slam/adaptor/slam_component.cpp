@@ -97,7 +97,17 @@ void SlamComponent::begin_map() {
 
 void SlamComponent::set_slam(std::unique_ptr<Slam> slam) {
   slam_ = std::move(slam);
-  if (!is_lockstep_) slam_->work_beside([this](std::function<void()> work) { map_.add(std::move(work)); });
+  if (is_lockstep_) return;
+  slam_->work_beside([this](std::function<void()> work) {
+    const auto done = std::make_shared<std::atomic<bool>>(false);
+    map_.add([work = std::move(work), done] {
+      work();
+      *done = true;
+      done->notify_all();
+    });
+    return LoopClosing::Pending{.is_done = [done] { return done->load(); },
+                                .wait = [done] { done->wait(false); }};
+  });
 }
 
 void SlamComponent::on_odometry(const nav_msgs::msg::Odometry& message, const Tick&) {
