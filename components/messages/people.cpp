@@ -6,6 +6,7 @@
 
 #include "components/messages/geometry.hpp"
 #include "components/messages/markers.hpp"
+#include "components/messages/prediction.hpp"
 #include "components/model/mover_weight.hpp"
 
 namespace bw::people {
@@ -33,16 +34,8 @@ bandwagon_msgs::msg::Tracks to_tracks(const std::vector<TrackedPerson>& people,
       for (int j = 0; j < 4; ++j)
         out.covariance()[static_cast<std::size_t>(4 * i + j)] = person.covariance(i, j);
     }
-    for (const PredictedPosition& predicted : person.predictions) {
-      bandwagon_msgs::msg::PredictedPosition position;
-      position.time_from_start(to_message(Duration::seconds(predicted.time)));
-      position.x(predicted.position.x());
-      position.y(predicted.position.y());
-      position.cov_xx(predicted.covariance(0, 0));
-      position.cov_xy(predicted.covariance(0, 1));
-      position.cov_yy(predicted.covariance(1, 1));
-      out.predictions().push_back(position);
-    }
+    for (const PredictedPosition& predicted : person.predictions)
+      out.predictions().push_back(to_message(predicted));
     message.tracks().push_back(std::move(out));
   }
   return message;

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "components/messages/geometry.hpp"
+#include "components/messages/prediction.hpp"
 #include "runtime/stamps.hpp"
 
 namespace bw {
@@ -67,16 +68,8 @@ bandwagon_msgs::msg::Tracks to_message(const std::vector<Mover>& movers, const s
     track.velocity(to_vector3(mover.velocity));
     track.radius(mover.radius);
     track.confidence(mover.confidence);
-    for (const PredictedPosition& prediction : mover.predictions) {
-      bandwagon_msgs::msg::PredictedPosition p;
-      p.time_from_start(to_message(Duration::seconds(prediction.time)));
-      p.x(prediction.position.x());
-      p.y(prediction.position.y());
-      p.cov_xx(prediction.covariance(0, 0));
-      p.cov_xy(prediction.covariance(0, 1));
-      p.cov_yy(prediction.covariance(1, 1));
-      track.predictions().push_back(p);
-    }
+    for (const PredictedPosition& prediction : mover.predictions)
+      track.predictions().push_back(to_message(prediction));
     message.tracks().push_back(std::move(track));
   }
   return message;
