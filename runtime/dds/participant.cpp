@@ -184,6 +184,16 @@ struct Participant::Impl {
     return topic;
   }
 
+  void list(const Guid& guid, bool is_writer, const EndpointOptions& options) {
+    discovery.add_local({.guid = guid,
+                         .is_writer = is_writer,
+                         .topic = options.topic,
+                         .type = options.type,
+                         .qos = options.qos,
+                         .user_data = options.user_data,
+                         .partitions = options.partitions});
+  }
+
   std::unique_ptr<Writer> open_writer(const EndpointOptions& options, std::function<void()> on_match) {
     efd::DataWriterQos qos = efd::DATAWRITER_QOS_DEFAULT;
     apply(options, qos);
@@ -192,13 +202,7 @@ struct Participant::Impl {
     set_user_data(qos.user_data(), options.user_data);
     auto result = std::make_unique<FastWriter>(publisher(options.partitions), std::move(on_match), discovery);
     result->open(topic(options), qos);
-    discovery.add_local({.guid = result->guid(),
-                         .is_writer = true,
-                         .topic = options.topic,
-                         .type = options.type,
-                         .qos = options.qos,
-                         .user_data = options.user_data,
-                         .partitions = options.partitions});
+    list(result->guid(), true, options);
     return result;
   }
 
@@ -215,13 +219,7 @@ struct Participant::Impl {
     auto result = std::make_unique<FastReader>(subscriber(options.partitions), std::move(on_sample),
                                                std::move(on_match), discovery);
     result->open(topic(options), qos);
-    discovery.add_local({.guid = result->guid(),
-                         .is_writer = false,
-                         .topic = options.topic,
-                         .type = options.type,
-                         .qos = options.qos,
-                         .user_data = options.user_data,
-                         .partitions = options.partitions});
+    list(result->guid(), false, options);
     return result;
   }
 };
