@@ -1,9 +1,7 @@
 // The planner that asks a planner process: one for each path with a slash that `algorithm` names.
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include <unistd.h>
 
