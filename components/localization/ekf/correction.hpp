@@ -22,15 +22,20 @@ struct Innovation {
   }
 };
 
+/// P symmetric. (I - K H) P (I - K H)^T is taken from each side in turn, a product of rank M each.
 template <int N, int M>
 void update(Eigen::Matrix<double, N, 1>& x, Eigen::Matrix<double, N, N>& P, const Innovation<N, M>& z) {
-  const Eigen::Matrix<double, M, M> S = z.covariance(P);
-  const Eigen::Matrix<double, N, M> K = S.llt().solve(z.H * P).transpose();
-  x += K * z.residual;
-  Eigen::Matrix<double, N, N> A = Eigen::Matrix<double, N, N>::Identity();
-  A.noalias() -= K * z.H;
-  const Eigen::Matrix<double, N, N> corrected = A * P * A.transpose() + K * z.R * K.transpose();
-  P = 0.5 * (corrected + corrected.transpose());
+  using Tall = Eigen::Matrix<double, N, M>;
+  const Tall PHt = P.lazyProduct(z.H.transpose());
+  const Eigen::Matrix<double, M, M> S = z.H.lazyProduct(PHt) + z.R;
+  const Tall K = S.llt().solve(PHt.transpose()).transpose();
+  x += K.lazyProduct(z.residual);
+  P -= K.lazyProduct(PHt.transpose());
+  const Tall rest = P.lazyProduct(z.H.transpose());
+  P -= rest.lazyProduct(K.transpose());
+  const Tall KR = K.lazyProduct(z.R);
+  P += KR.lazyProduct(K.transpose());
+  P = 0.5 * (P + P.transpose().eval());
 }
 
 }  // namespace bw::localization

@@ -139,15 +139,21 @@ SlipCorrection update_by_gyro(EkfState& state, Joint& joint, const WheelStep& st
   return correction;
 }
 
-// x+ = f(x, distance, rotation), P+ = J C J^T, J the derivatives of the arc.
+// J C: the derivatives of the arc for the pose, the rest of the state as it is.
+template <class C>
+Eigen::Matrix<double, kStates, C::ColsAtCompileTime> moved(const ArcStep& arc, const C& joint) {
+  Eigen::Matrix<double, kStates, C::ColsAtCompileTime> out = joint.template topRows<kStates>();
+  out.template topRows<3>() = arc.by_pose.lazyProduct(joint.template topRows<3>());
+  out.template topRows<3>() += arc.by_step.lazyProduct(joint.template bottomRows<2>());
+  return out;
+}
+
+// x+ = f(x, distance, rotation), P+ = J C J^T.
 void move(EkfState& state, Joint& joint, double distance, double dt, const EkfOptions& options) {
   const double rotation = joint.rotation();
   const ArcStep arc = arc_step({joint.mean(0), joint.mean(1), joint.mean(2)}, distance, rotation);
-  Eigen::Matrix<double, kStates, kJoint> J = Eigen::Matrix<double, kStates, kJoint>::Zero();
-  J.topLeftCorner<3, 3>() = arc.by_pose;
-  J(3, 3) = J(4, 4) = J(kRounding, kRounding) = 1.0;
-  J.topRightCorner<3, 2>() = arc.by_step;
-  state.P = J * joint.covariance * J.transpose();
+  const Eigen::Matrix<double, kJoint, kStates> half = moved(arc, joint.covariance).transpose();
+  state.P = moved(arc, half);
   state.x << arc.pose.x, arc.pose.y, arc.pose.theta, joint.mean(3), joint.mean(4), joint.mean(kRounding);
   const double walked = options.motion.position_walk * options.motion.position_walk * std::abs(distance);
   state.P(0, 0) += walked;
