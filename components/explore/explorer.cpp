@@ -35,7 +35,7 @@ std::string_view to_string(ExploreState state) {
 void Explorer::resume(const Pose2& robot) {
   if (state_ == ExploreState::exploring || state_ == ExploreState::returning) return;
   if (state_ == ExploreState::complete || !start_) {
-    *this = Explorer(options_);
+    *this = Explorer(return_to_init_);
     start_ = robot;
   }
   state_ = ExploreState::exploring;
@@ -51,10 +51,10 @@ ExploreStep Explorer::pause() {
 ExploreStep Explorer::look(const FrontierSearch& search) {
   const bool looks = state_ == ExploreState::exploring || state_ == ExploreState::returning;
   if (!looks || !search.is_placed || stands_before_it(search.frontiers)) return {};
-  const Frontier* next = best(search.frontiers);
+  const Frontier* next = nearest(search.frontiers);
   if (next == nullptr && !second_chance_ && !blacklist_.empty()) {
     second_chance_ = true;
-    next = best(search.frontiers);
+    next = nearest(search.frontiers);
   }
   take_stock(search);
   if (next == nullptr) return ++empty_looks_ < kLooks ? ExploreStep{} : nothing_left();
@@ -113,18 +113,13 @@ const Explorer::Failure* Explorer::blacklisted(const Frontier& frontier) const {
   return found == blacklist_.end() ? nullptr : &*found;
 }
 
-const Frontier* Explorer::best(const std::vector<Frontier>& frontiers) const {
-  const Frontier* best = nullptr;
-  double least = 0.0;
+const Frontier* Explorer::nearest(const std::vector<Frontier>& frontiers) const {
+  const Frontier* nearest = nullptr;
   for (const Frontier& frontier : frontiers) {
     if (blacklisted(frontier) != nullptr) continue;
-    double cost = frontier.path_length - options_.gain_scale * frontier.length;
-    if (target_ && are_near(frontier.centre, *target_)) cost -= options_.hysteresis;
-    if (best != nullptr && cost >= least) continue;
-    best = &frontier;
-    least = cost;
+    if (nearest == nullptr || frontier.path_length < nearest->path_length) nearest = &frontier;
   }
-  return best;
+  return nearest;
 }
 
 void Explorer::take_stock(const FrontierSearch& search) {
@@ -142,7 +137,7 @@ ExploreStep Explorer::nothing_left() {
   if (state_ == ExploreState::returning) return {};
   const bool drives = target_.has_value();
   target_.reset();
-  if (!options_.return_to_init) {
+  if (!return_to_init_) {
     state_ = ExploreState::complete;
     return {.cancels = drives, .goal = std::nullopt};
   }

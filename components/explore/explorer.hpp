@@ -20,12 +20,6 @@ enum class ExploreState : std::uint8_t {
 /// In the words of explore_lite's status.
 std::string_view to_string(ExploreState state);
 
-struct ExplorerOptions {
-  double gain_scale = 0.1;     ///< [m] of path that a metre of frontier is worth
-  double hysteresis = 1.0;     ///< another frontier must cost so much less than the one in hand [m]
-  bool return_to_init = true;  ///< when nothing is left
-};
-
 /// What is to be done with the goal.
 struct ExploreStep {
   bool cancels = false;       ///< the goal that is driven to
@@ -47,15 +41,16 @@ struct LeftFrontier {
 
 class Explorer {
  public:
-  explicit Explorer(const ExplorerOptions& options = {}) : options_(options) {}
+  /// `return_to_init`: back to where it began when nothing is left.
+  explicit Explorer(bool return_to_init = true) : return_to_init_(return_to_init) {}
 
   /// Begins, or goes on; after it was complete it begins anew. `robot`: where it returns to, when it begins.
   void resume(const Pose2& robot);
   /// Stops until resume().
   ExploreStep pause();
 
-  /// With each map, and once a second without a goal in hand: the cheapest frontier is driven to, and another one as
-  /// soon as that has vanished or is dearer by the hysteresis. Nothing while paused or complete.
+  /// With each map, and once a second without a goal in hand: the nearest frontier by path is driven to, whichever that
+  /// is by now. Nothing while paused or complete.
   ExploreStep look(const FrontierSearch& search);
   /// The goal of the last step ended. A frontier that was not reached, or that is still there though the robot stood
   /// before it, comes onto the blacklist. When nothing else is left, all on it get a second chance, once.
@@ -79,11 +74,11 @@ class Explorer {
   bool stands_before_it(const std::vector<Frontier>& frontiers);
   void blacklist(const Vector2& place, const std::string& why);
   const Failure* blacklisted(const Frontier& frontier) const;
-  const Frontier* best(const std::vector<Frontier>& frontiers) const;
+  const Frontier* nearest(const std::vector<Frontier>& frontiers) const;
   void take_stock(const FrontierSearch& search);
   ExploreStep nothing_left();
 
-  ExplorerOptions options_;
+  bool return_to_init_;
   ExploreState state_ = ExploreState::paused;
   std::optional<Pose2> start_;
   std::optional<Vector2> target_;   ///< centre of the frontier that is driven to

@@ -13,7 +13,7 @@ namespace bw::explore {
 /// free.
 struct Frontier {
   Vector2 centre{0.0, 0.0};  ///< one of its cells, the nearest to their mean
-  double length = 0.0;       ///< cells times their edge [m]: the gain in information
+  double length = 0.0;       ///< cells times their edge [m]
   Pose2 goal;                ///< where the robot fits without touching what is unknown, facing the centre
   double path_length = 0.0;  ///< from the robot to the goal, over known free cells [m]
 };

@@ -49,7 +49,7 @@ constexpr std::size_t kMostTold = 10;  // frontiers in a status
 
 class ExploreComponent final : public Component {
  public:
-  explicit ExploreComponent(const explore::ExplorerOptions& options = {}) : explorer_(options) {}
+  explicit ExploreComponent(bool return_to_init = true) : explorer_(return_to_init) {}
 
   void configure(Setup& setup) override {
     log_ = setup.log();
@@ -263,8 +263,8 @@ class ExploreComponent final : public Component {
 
 BW_COMPONENT(ExploreComponent, "explore")
 
-std::unique_ptr<Component> make_explore_component(const explore::ExplorerOptions& options) {
-  return std::make_unique<ExploreComponent>(options);
+std::unique_ptr<Component> make_explore_component(bool return_to_init) {
+  return std::make_unique<ExploreComponent>(return_to_init);
 }
 
 }  // namespace bw

@@ -8,6 +8,6 @@
 
 namespace bw {
 
-std::unique_ptr<Component> make_explore_component(const explore::ExplorerOptions& options);
+std::unique_ptr<Component> make_explore_component(bool return_to_init);
 
 }  // namespace bw

@@ -295,15 +295,8 @@ void add_explore(cli::Verb bench) {
   verb.option("--first", explore->first, "Seed of the first (1)");
   verb.flag("--ideal", explore->ideal,
             "The map is right at once, ways are driven exactly, and nothing is simulated");
-  verb.flag("--nearest,!--no-nearest", explore->nearest,
-            "Each a second time, by the nearest frontier (default)");
   verb.option("--robot", explore->drive.robot, "Robot file, or the name of one (kobuki)");
   verb.option("--longest", explore->drive.longest, "A drive ends then [s] (3600)").within(1.0, 1e5);
-  verb.option("--gain", explore->drive.explorer.gain_scale, "[m] of way that a metre of frontier is worth")
-      .within(0.0, 100.0);
-  verb.option("--hysteresis", explore->drive.explorer.hysteresis,
-              "So much less another frontier must cost [m]")
-      .within(0.0, 100.0);
   verb.option("--set", explore->drive.set, "component.parameter=value, as often as needed").one_each_time();
   verb.option("--maps", explore->maps, "Folder for the map of each drive");
   verb.option("--json", explore->json, "Writes the figures here");

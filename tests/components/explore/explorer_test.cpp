@@ -19,8 +19,8 @@ FrontierSearch search(std::vector<Frontier> frontiers) {
   return result;
 }
 
-Explorer begun(ExplorerOptions options = {.gain_scale = 0.5, .hysteresis = 2.0, .return_to_init = true}) {
-  Explorer explorer(options);
+Explorer begun(bool return_to_init = true) {
+  Explorer explorer(return_to_init);
   explorer.resume(kStart);
   return explorer;
 }
@@ -40,19 +40,11 @@ TEST(Explorer, IsPausedUntilItIsTold) {
   EXPECT_FALSE(explorer.look(search({frontier(5.0, 5.0)})).goal);
 }
 
-TEST(Explorer, WeighsGainAgainstPath) {
-  // 5 - 0.5 * 1 = 4.5 m; 8 - 0.5 * 10 = 3 m.
-  EXPECT_DOUBLE_EQ(goal_x(begun().look(search({frontier(5.0, 5.0), frontier(8.0, 8.0, 10.0)}))), 7.7);
-  // By path alone.
-  EXPECT_DOUBLE_EQ(
-      goal_x(begun({.gain_scale = 0.0}).look(search({frontier(5.0, 5.0), frontier(8.0, 8.0, 10.0)}))), 4.7);
-}
-
-TEST(Explorer, KeepsItsFrontierUntilAnotherIsCheaperByTheHysteresis) {
+TEST(Explorer, DrivesToTheNearestFrontierOfEachMap) {
   Explorer explorer = begun();
-  EXPECT_DOUBLE_EQ(goal_x(explorer.look(search({frontier(5.0, 5.0)}))), 4.7);
-  EXPECT_FALSE(explorer.look(search({frontier(5.0, 5.0), frontier(20.0, 3.1)})).goal);
-  EXPECT_DOUBLE_EQ(goal_x(explorer.look(search({frontier(5.0, 5.0), frontier(20.0, 2.9)}))), 19.7);
+  EXPECT_DOUBLE_EQ(goal_x(explorer.look(search({frontier(8.0, 8.0), frontier(5.0, 5.0)}))), 4.7);
+  EXPECT_FALSE(explorer.look(search({frontier(5.0, 5.0), frontier(20.0, 5.1)})).goal);
+  EXPECT_DOUBLE_EQ(goal_x(explorer.look(search({frontier(5.0, 5.0), frontier(20.0, 4.9)}))), 19.7);
 }
 
 TEST(Explorer, FollowsAFrontierThatMovesOn) {
@@ -99,7 +91,7 @@ TEST(Explorer, AFaultOfTheRobotIsNoneOfTheFrontier) {
 }
 
 TEST(Explorer, AFrontierThatStaysThoughTheRobotStandsBeforeItIsLeft) {
-  Explorer explorer = begun({.return_to_init = false});
+  Explorer explorer = begun(false);
   const FrontierSearch one = search({frontier(5.0, 5.0)});
   for (int chance = 0; chance < 2; ++chance) {
     EXPECT_DOUBLE_EQ(goal_x(explorer.look(one)), 4.7);
@@ -138,7 +130,7 @@ TEST(Explorer, ReturnsAndIsComplete) {
 }
 
 TEST(Explorer, CancelsWhenItIsCompleteOrPausedOnTheWay) {
-  Explorer explorer = begun({.return_to_init = false});
+  Explorer explorer = begun(false);
   explorer.look(search({frontier(5.0, 5.0)}));
   const ExploreStep step = third_look(explorer, search({}));
   EXPECT_TRUE(step.cancels);
@@ -155,7 +147,7 @@ TEST(Explorer, CancelsWhenItIsCompleteOrPausedOnTheWay) {
 }
 
 TEST(Explorer, AfterItIsCompleteItBeginsAnew) {
-  Explorer explorer = begun({.return_to_init = false});
+  Explorer explorer = begun(false);
   third_look(explorer, search({}));
   ASSERT_EQ(explorer.state(), ExploreState::complete);
   explorer.resume({});

@@ -1,4 +1,4 @@
-// `bandwagon bench explore`: buildings explored by a whole robot, beside the nearest frontier and a tour that knows them.
+// `bandwagon bench explore`: buildings explored by a whole robot, beside a tour that knows them.
 #pragma once
 
 #include <string>
@@ -16,7 +16,6 @@ struct BenchExploreArguments {
   int seeds = 1;                           ///< of each kind; with a map so many drives, whose noise differs
   std::uint64_t first = 1;                 ///< of the seeds
   bool ideal = false;                      ///< without errors and without DDS: ideal_exploration.hpp
-  bool nearest = true;                     ///< each building a second time, by the nearest frontier
   ExploreDriveOptions drive;               ///< its seed is each of these
   std::string maps;                        ///< folder for the map of each drive; empty: none
   std::string json;                        ///< output file; empty: none

@@ -107,7 +107,7 @@ ExploreDrive explore_building(const buildings::Building& building, const Explore
 
   auto seen = std::make_shared<ExploreDrive>();
   std::vector<ExtraComponent> extra;
-  extra.push_back({.name = "explore", .component = make_explore_component(options.explorer)});
+  extra.push_back({.name = "explore", .component = make_explore_component(false)});
   extra.push_back({.name = "explore_observer", .component = std::make_unique<ExploreObserver>(seen)});
   HostOptions host_options;
   host_options.clock = ClockMode::lockstep;

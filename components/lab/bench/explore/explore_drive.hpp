@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "components/explore/explorer.hpp"
 #include "components/lab/bench/buildings/building.hpp"
 #include "components/model/occupancy_grid.hpp"
 
@@ -17,7 +16,6 @@ struct ExploreDriveOptions {
   std::string graph = "map_drive";
   std::string robot = "kobuki";  ///< file or name of config/robots
   double longest = 3600.0;       ///< [s]
-  explore::ExplorerOptions explorer;
   std::vector<std::string> set;  ///< component.parameter=value
 };
 
@@ -32,7 +30,7 @@ struct ExploreDrive {
   std::string samples_sha256;
 };
 
-/// It starts at the first place of the building's route; map and building have one frame. Throws ConfigError or
+/// Without a way back at the end. It starts at the first place of the building's route; map and building have one frame. Throws ConfigError or
 /// std::runtime_error.
 ExploreDrive explore_building(const buildings::Building& building, const ExploreDriveOptions& options);
 

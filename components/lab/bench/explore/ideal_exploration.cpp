@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "components/explore/explorer.hpp"
 #include "components/lab/bench/explore/growing_map.hpp"
 
 namespace bw {
@@ -59,9 +60,7 @@ class IdealRobot {
 
 IdealExploration explore_ideally(const Explorable& place, const IdealExplorationOptions& options) {
   IdealRobot robot(place, options);
-  explore::ExplorerOptions chosen = options.explorer;
-  chosen.return_to_init = false;
-  explore::Explorer explorer(chosen);
+  explore::Explorer explorer(false);
   const Vector2 start = robot.position();
   explorer.resume({start.x(), start.y(), 0.0});
   std::optional<Vector2> goal;

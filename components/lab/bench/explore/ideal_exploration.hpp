@@ -2,7 +2,6 @@
 // once. For comparing choices of the next frontier in many buildings; whole robots: explore_drive.hpp.
 #pragma once
 
-#include "components/explore/explorer.hpp"
 #include "components/lab/bench/explore/coverage.hpp"
 
 namespace bw {
@@ -21,7 +20,6 @@ struct IdealExplorationOptions {
   double speed = 0.4;    ///< [m/s]
   double period = 2.0;   ///< from map to map [s]
   double longest = 7200.0;
-  explore::ExplorerOptions explorer;
 };
 
 /// Same arguments, same figures.

@@ -14,7 +14,6 @@ TEST(ExploreDrive, AKobukiMakesTheMapOfTwoRooms) {
   options.graph = std::string(BANDWAGON_SOURCE_DIR) + "/config/graphs/map_drive.yaml";
   options.robot = std::string(BANDWAGON_SOURCE_DIR) + "/config/robots/kobuki.yaml";
   options.longest = 120.0;
-  options.explorer.return_to_init = false;
   const ExploreDrive drive = explore_building(test::two_rooms(), options);
   EXPECT_TRUE(drive.complete) << drive.status;
   EXPECT_EQ(drive.contacts, 0U);
