@@ -1,30 +1,11 @@
 // Hostile payloads: whatever arrives, deserialize() neither throws nor crashes nor allocates out of
 // proportion.
-#include <cstdlib>
-#include <new>
-
 #include <gtest/gtest.h>
 
 #include "runtime/wire/yaml.hpp"
 #include "tests/idl/cdr_writer.hpp"
 #include "tests/idl/every_message.hpp"
-
-namespace {
-std::size_t largest_allocation = 0;  // of this thread's program, which has one thread
-
-void* tracked(std::size_t size) {
-  if (size > largest_allocation) largest_allocation = size;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-}  // namespace
-
-void* operator new(std::size_t size) { return tracked(size); }
-void* operator new[](std::size_t size) { return tracked(size); }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+#include "tests/runtime/largest_allocation.hpp"
 
 namespace bw::test {
 namespace {

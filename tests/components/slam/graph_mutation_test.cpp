@@ -2,65 +2,18 @@
 // crashes, and nothing is allocated from a length that nobody checked.
 //
 //   BANDWAGON_GRAPH_MUTATIONS=1000000 build/asan/bin/test_slam_graph_bad_input       the full count
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <random>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "tests/components/slam/graph_samples.hpp"
+#include "tests/runtime/file_mutator.hpp"
 #include "tests/runtime/largest_allocation.hpp"
 
 namespace bw::slam {
 namespace {
-
-class Mutator {
- public:
-  explicit Mutator(std::uint64_t seed) : random_(seed) {}
-
-  /// Half of them with right checksums, as somebody would make who means it.
-  std::string operator()(std::string bytes) {
-    if (below(8) == 0) bytes.resize(below(bytes.size()));
-    for (std::size_t k = 1 + below(4); k > 0 && !bytes.empty(); --k) change(bytes);
-    return below(2) == 0 ? bytes : test::sealed(std::move(bytes));
-  }
-  std::size_t below(std::size_t end) { return static_cast<std::size_t>(random_() % end); }
-
- private:
-  void change(std::string& bytes) {
-    const std::size_t at = below(bytes.size());
-    switch (below(7)) {
-      case 0:
-        bytes[at] = static_cast<char>(random_());
-        return;
-      case 1:
-        bytes[at] = static_cast<char>(bytes[at] ^ (1 << below(8)));
-        return;
-      case 2:  // what may be a length, or an index
-        put(bytes, at, below(2) == 0 ? std::string("\xff\xff\xff\x7f") : std::string("\xff\xff\xff\xff"));
-        return;
-      case 3:  // no number, and a large one
-        put(bytes, at,
-            below(2) == 0 ? std::string("\0\0\0\0\0\0\xf8\x7f", 8) : std::string("\0\0\0\0\0\0\x50\x7e", 8));
-        return;
-      case 4:
-        put(bytes, at, std::string(8, '\0'));
-        return;
-      case 5:  // a piece is missing
-        bytes.erase(at, below(64));
-        return;
-      default:  // or comes twice
-        bytes.insert(at, bytes.substr(below(bytes.size()), below(64)));
-    }
-  }
-  static void put(std::string& bytes, std::size_t at, const std::string& what) {
-    bytes.replace(at, std::min(what.size(), bytes.size() - at), what);
-  }
-
-  std::mt19937_64 random_;
-};
 
 /// A graph that was read goes on: two scans, one of them far away, and it can be saved again.
 void go_on(SavedGraph graph) {
@@ -93,10 +46,11 @@ TEST(GraphMutation, IsRefusedInWordsOrGoneOnWith) {
   const char* asked = std::getenv("BANDWAGON_GRAPH_MUTATIONS");
   const int count = asked == nullptr ? 20000 : std::atoi(asked);
   const std::string& whole = test::small_graph();
-  Mutator mutate(35);
+  bw::test::FileMutator mutate(35);
   int read = 0;
   for (int i = 0; i < count; ++i) {
-    const std::string bytes = mutate(whole);
+    std::string bytes = mutate(whole);
+    if (mutate.below(2) == 0) bytes = test::sealed(std::move(bytes));  // as somebody would make who means it
     largest_allocation = 0;
     GraphReading reading = read_graph(bytes);
     ASSERT_LE(largest_allocation, 2 * bytes.size() + 4096) << "mutation " << i;

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <functional>
-#include <random>
 #include <set>
 
 #include <gmock/gmock.h>
@@ -15,6 +14,7 @@
 #include "runtime/recording/bag/bag_metadata.hpp"
 #include "runtime/recording/bag/bag_report.hpp"
 #include "runtime/recording/bag/mcap_recover.hpp"
+#include "tests/runtime/file_mutator.hpp"
 #include "tests/runtime/largest_allocation.hpp"
 #include "tests/runtime/recording/bag/sample_bags.hpp"
 
@@ -50,44 +50,6 @@ void recover_into(const std::filesystem::path& from, const std::filesystem::path
   const auto bag = open_bag(to);
   EXPECT_TRUE(bag->faults().empty()) << "what was recovered is damaged";
 }
-
-class Mutator {
- public:
-  explicit Mutator(std::uint64_t seed) : random_(seed) {}
-
-  std::string operator()(std::string bytes) {
-    if (below(4) == 0) bytes.resize(below(bytes.size()));
-    for (std::size_t k = below(6); k > 0 && !bytes.empty(); --k) change(bytes);
-    return bytes;
-  }
-
- private:
-  void change(std::string& bytes) {
-    const std::size_t at = below(bytes.size());
-    switch (below(5)) {
-      case 0:
-        bytes[at] = static_cast<char>(random_());
-        return;
-      case 1:
-        bytes[at] = static_cast<char>(bytes[at] ^ (1 << below(8)));
-        return;
-      case 2: {  // what may be a length
-        const std::string length = below(2) == 0 ? std::string("\x00\x00\x00\x80", 4)
-                                                 : std::string("\xff\xff\xff\xff\xff\xff\xff\x7f");
-        bytes.replace(at, std::min(length.size(), bytes.size() - at), length);
-        return;
-      }
-      case 3:  // a piece is missing
-        bytes.erase(at, below(64));
-        return;
-      default:  // or comes twice
-        bytes.insert(at, bytes.substr(below(bytes.size()), below(64)));
-    }
-  }
-  std::size_t below(std::size_t end) { return static_cast<std::size_t>(random_() % end); }
-
-  std::mt19937_64 random_;
-};
 
 struct Kind {
   const char* name;
@@ -129,7 +91,7 @@ TEST(Mutations, AreReadAsFarAsTheyCanBeOrRefused) {
     whole.push_back(mcap::content_of(folder / kind.name / kind.file));
   }
   largest_allocation = 0;
-  Mutator mutate(12);
+  test::FileMutator mutate(12);
   int refused = 0;
   for (int i = 0; i < count; ++i) {
     const auto k = static_cast<std::size_t>(i) % all.size();
