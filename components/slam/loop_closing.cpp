@@ -230,6 +230,7 @@ void LoopClosing::look(View& view, std::size_t before) const {
     const auto node = nodes_.find(n);
     if (node == nodes_.end()) continue;  // of a file alone: a newest submap that left
     const Placement& placement = node->second.placement;
+    if (later - placement.submap >= X_SK.size()) continue;  // of a file alone: it lies in none of these submaps
     view.images.push_back(node->second.ranges.get());
     view.X_SB.push_back(X_SK[later - placement.submap] * placement.X_SB);
   }

@@ -42,6 +42,19 @@ TEST(GraphMutation, ACutFileIsRefusedInWords) {
   }
 }
 
+// What a search for loops cannot place it leaves out; the asan build tells of who reads on.
+TEST(GraphMutation, ScansThatLieInSubmapsFarAwayAreLeftOut) {
+  for (const std::size_t submap : {std::size_t{0}, std::size_t{1}}) {
+    GraphReading reading = read_graph(test::small_graph());
+    ASSERT_TRUE(reading.graph);
+    const std::size_t submaps = reading.graph->slam.closing.submaps.size();
+    ASSERT_GT(submaps, 6U);
+    for (auto& [number, node] : reading.graph->slam.nodes)
+      if (node.placement.submap + 3 >= submaps) node.placement.submap = submap;
+    go_on(std::move(*reading.graph));
+  }
+}
+
 TEST(GraphMutation, IsRefusedInWordsOrGoneOnWith) {
   const char* asked = std::getenv("BANDWAGON_GRAPH_MUTATIONS");
   const int count = asked == nullptr ? 20000 : std::atoi(asked);
