@@ -36,7 +36,7 @@ bool same_place(const Pose2& a, const Pose2& b) {
 // A map of what lies around alone.
 SlamOptions local_options(SlamOptions options) {
   options.do_loop_closing = false;
-  options.holds_back = false;
+  options.holds_back = true;
   return options;
 }
 
@@ -75,23 +75,32 @@ std::optional<Place> place_near(const Slam& map, std::span<const SurfacePoint> p
   return best;
 }
 
-PlaceSearch::PlaceSearch(const Slam& map) : map_(map), local_(local_options(map.options())) {}
+PlaceSearch::PlaceSearch(const Slam& map)
+    : map_(map), local_(std::make_unique<Slam>(local_options(map.options()))) {}
 
 void PlaceSearch::add(const Scan& scan, const Pose2& X_OB) {
-  placement_ = local_.add(scan, X_OB).placement;
-  while (local_.advance()) {
+  const Tracked tracked = local_->add(scan, X_OB);
+  if (tracked.held >= kKidnappedAfter) {
+    local_ = std::make_unique<Slam>(local_options(map_.options()));
+    is_open_ = false;
+    blocks_.clear();
+    asked_ = 0;
+    return;
+  }
+  placement_ = tracked.placement;
+  while (local_->advance()) {
   }
   newest_ = scan.points;
-  if (!is_open_ && !place_ && (asked_ == 0 || local_.nodes().size() >= asked_ + kAgain)) begin_search();
+  if (!is_open_ && !place_ && (asked_ == 0 || local_->nodes().size() >= asked_ + kAgain)) begin_search();
 }
 
 void PlaceSearch::begin_search() {
   is_open_ = true;
   ++searches_;
-  asked_ = local_.nodes().size();
-  const std::size_t under_way = local_.submap_under_way();
-  const std::vector<Surface>& surfaces = local_.walls_under_way()->surfaces();
-  X_WS_ = local_.pose({under_way, {}, 0.0});
+  asked_ = local_->nodes().size();
+  const std::size_t under_way = local_->submap_under_way();
+  const std::vector<Surface>& surfaces = local_->walls_under_way()->surfaces();
+  X_WS_ = local_->pose({under_way, {}, 0.0});
   const std::vector<Vector2> all = thinned(surfaces);
   points_.clear();
   for (std::size_t n = 0; n < all.size(); n += 1 + all.size() / kMostSearched) points_.push_back(all[n]);
@@ -100,10 +109,10 @@ void PlaceSearch::begin_search() {
   images_.clear();
   X_SB_.clear();
   const std::size_t looks = std::min(asked_, kLooks);
-  for (auto at = local_.nodes().lower_bound(asked_ - looks); at != local_.nodes().end(); ++at) {
+  for (auto at = local_->nodes().lower_bound(asked_ - looks); at != local_->nodes().end(); ++at) {
     const Node& node = at->second;
     images_.push_back(node.ranges.get());
-    X_SB_.push_back(inverse(X_WS_) * local_.pose(node.placement));
+    X_SB_.push_back(inverse(X_WS_) * local_->pose(node.placement));
   }
   candidates_.clear();
   best_ = 0.0;
@@ -187,7 +196,7 @@ void PlaceSearch::judge() {
     doubt_ = Doubt::one_direction_unseen;
   } else {
     // The robot may have driven on since.
-    const Pose2 X_MB = best->X_MS * (inverse(X_WS_) * local_.pose(placement_));
+    const Pose2 X_MB = best->X_MS * (inverse(X_WS_) * local_->pose(placement_));
     place_ = place_near(map_, newest_, X_MB, kLastLook);
     if (!place_) doubt_ = Doubt::nothing_fits;
   }

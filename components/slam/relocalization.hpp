@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -27,7 +28,7 @@ std::optional<Place> place_near(const Slam& map, std::span<const SurfacePoint> p
 
 /// Searches the whole map while the robot stands or drives: its scans make a map of their own, which is
 /// looked for in each submap, within 4 m of where the robot of the map drove. Again after each metre, until
-/// one place alone fits.
+/// one place alone fits; and from the beginning when the robot is carried away meanwhile.
 class PlaceSearch {
  public:
   /// `map` outlives this, has nothing under way and stays as it is.
@@ -60,7 +61,7 @@ class PlaceSearch {
   void judge();
 
   const Slam& map_;
-  Slam local_;
+  std::unique_ptr<Slam> local_;
   std::vector<SurfacePoint> newest_;  ///< the points of the newest scan
   Placement placement_;
   bool is_open_ = false;   ///< a search goes on

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "components/slam/correlative_search.hpp"
+#include "components/slam/loop_search.hpp"
 
 namespace bw::slam {
 namespace {
@@ -90,10 +91,16 @@ ScanTracking::Match ScanTracking::match(const Scan& scan, const UncertainPose& p
   return best;
 }
 
-int ScanTracking::held(const Scan& scan, const Pose2& X_OB, double inliers) {
+int ScanTracking::held(const Scan& scan, const Pose2& X_OB, const Refined& match) {
   if (!options_.holds_back) return 0;
-  if (inliers >= kGoodMatch) met_X_OB_ = X_OB;
-  if (inliers >= kHardlyMeets || scan.points.size() < kFewPoints) return held_ = 0;
+  if (match.inliers >= kGoodMatch) met_X_OB_ = X_OB;
+  double meets = match.inliers;
+  if (meets < kGoodMatch) {
+    // Of a scan that fits by chance many beams end behind walls.
+    const RangeImage* image = &scan.ranges;
+    meets *= 1.0 - seen_through(older_->surface.surfaces(), {&image, 1}, {&match.X, 1});
+  }
+  if (meets >= kHardlyMeets || scan.points.size() < kFewPoints) return held_ = 0;
   if (held_ > 0) return ++held_;
   const Pose2 moved = met_X_OB_ ? inverse(*met_X_OB_) * X_OB : Pose2{};
   const bool at_once =
@@ -126,7 +133,7 @@ Tracked ScanTracking::add(const Scan& scan, const Pose2& X_OB, std::size_t nodes
     now_.odometry_before = step.X;
     const Match found = match(scan, older_->X_SB);
     result.match = found.refined;
-    result.held = held(scan, X_OB, result.match.inliers);
+    result.held = held(scan, X_OB, result.match);
     result.matched = result.match.inliers >= kLeastMatch && result.held == 0;
     if (result.matched) {
       const auto updated = [](const Eigen::Matrix3d& prior,

@@ -17,7 +17,7 @@ struct Tracked {
   Refined match;         ///< zeros for the first scan
   bool matched = false;  ///< else by odometry alone
   bool enters_map = false;
-  /// Scans in a row, this one among them, that do not meet the map though one just before did and the robot
+  /// Scans in a row, this one among them, that do not meet the map, or look through its walls, though one just before did and the robot
   /// hardly moved by odometry since: somebody carried it away. None of them enters the map. 0 unless
   /// SlamOptions::holds_back.
   int held = 0;
@@ -26,6 +26,8 @@ struct Tracked {
   std::optional<Submap> finished;  ///< placement is in it still; later ones are in the next
 };
 
+/// Tracked::held from which on the robot is somewhere else.
+inline constexpr int kKidnappedAfter = 5;
 /// Points of a scan; fewer say nothing of where the robot is.
 inline constexpr std::size_t kFewPoints = 30;
 
@@ -103,8 +105,8 @@ class ScanTracking {
     UncertainPose prior;
   };
   Match match(const Scan& scan, const UncertainPose& predicted);
-  /// Tracked::held of a scan that meets the map with this share.
-  int held(const Scan& scan, const Pose2& X_OB, double inliers);
+  /// Tracked::held of a scan that was matched so.
+  int held(const Scan& scan, const Pose2& X_OB, const Refined& match);
 
   SlamOptions options_;
   Motion now_;

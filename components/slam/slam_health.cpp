@@ -7,7 +7,6 @@
 namespace bw::slam {
 namespace {
 
-constexpr int kKidnappedAfter = 5;  // scans
 constexpr double kDoubtful = 0.3;   // share of beams that must meet the map
 constexpr double kUnseenFor = 1.0;  // [s] before it is worth a word
 constexpr double kWindow = 1.0;     // [s] over which slip is summed

@@ -13,6 +13,7 @@
 #include "components/lab/bench/planner_overrides.hpp"
 #include "components/lab/bench/scaling.hpp"
 #include "components/lab/bench/scenes_verb.hpp"
+#include "components/lab/bench/slam/bench_kidnaps.hpp"
 #include "components/lab/bench/slam/bench_relations.hpp"
 #include "components/lab/bench/slam/bench_rounds.hpp"
 #include "components/lab/bench/slam/bench_slam.hpp"
@@ -269,10 +270,16 @@ void add_slam(cli::Verb bench) {
           "--rounds", slam->rounds,
           "Drives the route of an office so often, with its furniture elsewhere each time: is the map bounded?")
       .within(1, 1000);
+  verb.option("--kidnaps", slam->kidnaps,
+              "After the drive it is carried to another place so often: when does it know where it is?")
+      .within(1, 10000);
   verb.flag("--calibrated", slam->calibrated, "Wheels as `bandwagon calibrate` may leave them");
   verb.option("--set", slam->set, "slam.parameter=value, as often as needed").one_each_time();
   verb.option("--json", slam->json, "Writes the figures here");
-  verb.run([slam] { return slam->rounds > 0 ? bench_rounds(*slam) : bench_slam(*slam); });
+  verb.run([slam] {
+    if (slam->kidnaps > 0) return bench_kidnaps(*slam);
+    return slam->rounds > 0 ? bench_rounds(*slam) : bench_slam(*slam);
+  });
 }
 
 void add_explore(cli::Verb bench) {

@@ -17,6 +17,7 @@ struct BenchSlamArguments {
   std::uint64_t first = 1;                ///< of the seeds
   buildings::BuildingDriveOptions drive;  ///< its seed is each of these
   int rounds = 0;                         ///< bench_rounds.hpp in place of it
+  int kidnaps = 0;                        ///< bench_kidnaps.hpp in place of it
   bool calibrated = false;                ///< wheels after `bandwagon calibrate`
   std::vector<std::string> set;           ///< slam_settings.hpp
   std::string json;                       ///< output file; empty: none
