@@ -4,7 +4,7 @@
 #include <string>
 
 #include "components/lab/experiments/crossing_experiment.hpp"
-#include "components/lab/experiments/kept.hpp"
+#include "components/lab/shards/kept.hpp"
 
 namespace bw {
 

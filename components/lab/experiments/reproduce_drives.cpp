@@ -9,7 +9,7 @@
 #include "components/lab/evaluate/suite_report.hpp"
 #include "components/lab/experiments/drive_chart.hpp"
 #include "components/lab/shards/graph_text.hpp"
-#include "components/lab/experiments/kept.hpp"
+#include "components/lab/shards/kept.hpp"
 #include "components/program/drive.hpp"
 #include "components/viewer/adaptor/site.hpp"
 #include "runtime/build_identity.hpp"

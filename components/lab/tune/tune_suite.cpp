@@ -24,8 +24,7 @@ TuneDrive drive_episode(TuneSuite suite, std::uint64_t episode, const std::strin
       return {drive.success, drive.time, rules.closed_loop->timeout};
     }
     case TuneSuite::crowdnav: {
-      const CrowdNavScene scene =
-          crowdnav_scene(CrowdNavCrossing::crowd, static_cast<int>(episode % kCrowdNavCases));
+      const CrowdNavScene scene = crowdnav_scene(CrowdNavCrossing::crowd, static_cast<int>(episode));
       const auto robot = planner_robot(scene, *planner, no_clock);
       const CrowdNavEpisode drive = run_crowdnav(scene, *robot, {});
       return {drive.outcome == CrowdNavOutcome::reached, drive.time, scene.rules.time_limit};

@@ -10,7 +10,7 @@ namespace bw::tune {
 
 enum class TuneSuite {
   crowd,     ///< bench crowd
-  crowdnav,  ///< bench crowdnav --scene crowd; 500 episodes, after which it begins anew
+  crowdnav,  ///< bench crowdnav --scene crowd, by its rule beyond its 500 cases
   corridor,  ///< bench corridor --people 12
 };
 

@@ -5,12 +5,14 @@
 #include <numeric>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "components/lab/bench/ordered_run.hpp"
 #include "components/lab/bench/planner_overrides.hpp"
 #include "components/lab/comparison/paired.hpp"
+#include "components/lab/shards/kept.hpp"
 #include "components/lab/tune/successive_halving.hpp"
-#include "components/lab/tune/tune_log.hpp"
+#include "components/lab/tune/tune_suite.hpp"
 #include "components/lab/tune/tuned_parameters.hpp"
 #include "runtime/build_identity.hpp"
 #include "runtime/cli/verb.hpp"
@@ -26,12 +28,12 @@ struct Arguments {
   TuneSuite other = TuneSuite::corridor;
   std::string suite_name = "crowd", other_name = "corridor";
   std::string planner = "eteb";
-  std::vector<std::string> parameters;
+  std::vector<std::string> parameters, set;
   int drives = 2000;
   int judged = 200;
   std::uint64_t seed = 1;
   int jobs = 1;
-  std::string log = "tune.log";
+  std::string log = "tune";
 };
 
 std::string joined(const std::vector<std::string>& words) {
@@ -44,17 +46,18 @@ class Tuning {
  public:
   explicit Tuning(const Arguments& arguments)
       : arguments_(arguments),
-        parameters_(parameters_of(arguments.planner, arguments.parameters)),
-        log_(arguments.log, head()) {}
+        parameters_(parameters_of(arguments.planner, arguments.parameters, arguments.set)),
+        log_(arguments.log) {}
 
   int run() {
     const std::size_t count = candidates_for(static_cast<std::size_t>(arguments_.drives));
-    std::printf("%s on %s: %zu parameters, %zu candidates, at most %d drives, %zu of them in %s\n",
+    std::printf("%s on %s: %zu parameters, %zu candidates, at most %d drives, log %s\n",
                 arguments_.planner.c_str(), arguments_.suite_name.c_str(), parameters_.size(), count,
-                arguments_.drives, log_.size(), arguments_.log.c_str());
+                arguments_.drives, arguments_.log.c_str());
     const std::vector<Candidate> ranked =
         successive_halving(count, [&](std::size_t k, std::size_t first, std::size_t n) {
-          const std::vector<TuneDrive> drives = drive(arguments_.suite, k, kTuned + first, n);
+          const std::vector<TuneDrive> drives =
+              drive(arguments_.suite, arguments_.suite_name, k, kTuned + first, n);
           std::vector<double> costs;
           for (const TuneDrive& one : drives) costs.push_back(one.cost());
           std::printf("candidate %zu, %zu episodes: cost %.4f\n", k, first + n,
@@ -72,56 +75,67 @@ class Tuning {
   }
 
  private:
-  std::string head() const {
-    std::string names;
-    for (const TunedParameter& parameter : parameters_) names += " " + parameter.name;
-    return fmt::format("{} {} {} seed {} build {}:{}", arguments_.planner, arguments_.suite_name,
-                       arguments_.other_name, arguments_.seed, build_id(), names);
-  }
-
+  /// 0: as it is; with --set 1 is that, and all further ones are near it.
   std::vector<std::string> settings(std::size_t candidate) const {
-    return settings_of(parameters_, candidate, arguments_.seed);
+    if (candidate == 0) return {};
+    std::vector<std::string> all = arguments_.set;
+    const std::size_t number = all.empty() ? candidate : candidate - 1;
+    for (std::string& turned : settings_of(parameters_, number, arguments_.seed))
+      all.push_back(std::move(turned));
+    return all;
   }
 
-  std::vector<TuneDrive> drive(TuneSuite suite, std::size_t candidate, std::uint64_t first,
-                               std::size_t count) {
+  std::vector<TuneDrive> drive(TuneSuite suite, const std::string& suite_name, std::size_t candidate,
+                               std::uint64_t first, std::size_t count) {
+    const std::vector<std::string> set = settings(candidate);
+    const std::string name = fmt::format("{}_{}_{}", suite_name, candidate, first);
+    const std::string made_by =
+        fmt::format("{} {} {} {}", arguments_.planner, build_id(), count, joined(set));
+    std::vector<TuneDrive> drives;
+    if (const auto known = log_.find(name, made_by)) {
+      for (const nlohmann::json& one : known->at("drives"))
+        drives.push_back({one.at("success"), one.at("time_s"), one.at("limit_s")});
+      return drives;
+    }
     PlannerOptions options;
-    apply_overrides(options, settings(candidate));
+    apply_overrides(options, set);
     const auto one = [&](std::size_t i, const CpuClock&) {
-      const std::uint64_t episode = first + i;
-      // Those of the other suite are logged beside: their numbers are others.
-      const std::uint64_t logged = suite == arguments_.suite ? episode : episode + kJudged;
-      if (const auto known = log_.find(candidate, logged)) return *known;
-      const TuneDrive made = drive_episode(suite, episode, arguments_.planner, options);
-      log_.add(candidate, logged, made);
-      return made;
+      return drive_episode(suite, first + i, arguments_.planner, options);
     };
-    return run_in_order(count, arguments_.jobs, one, [](const TuneDrive&) {});
+    drives = run_in_order(count, arguments_.jobs, one, [](const TuneDrive&) {});
+    nlohmann::json kept = {{"set", set}, {"drives", nlohmann::json::array()}};
+    for (const TuneDrive& d : drives)
+      kept["drives"].push_back({{"success", d.success}, {"time_s", d.time}, {"limit_s", d.limit}});
+    log_.put(name, made_by, kept);
+    return drives;
   }
 
+  /// Against as it is, and against --set.
   void judge(TuneSuite suite, const std::string& name, std::size_t best) {
     const auto episodes = [&](std::size_t candidate) {
       std::vector<PairedEpisode> all;
       const auto count = static_cast<std::size_t>(arguments_.judged);
-      for (const TuneDrive& one : drive(suite, candidate, kJudged, count))
+      for (const TuneDrive& one : drive(suite, name, candidate, kJudged, count))
         all.push_back({.key = std::to_string(all.size()), .success = one.success, .time = one.time});
       return all;
     };
-    const std::vector<PairedEpisode> before = episodes(0);
     const std::vector<PairedEpisode> after = episodes(best);
     const auto successes = [](const std::vector<PairedEpisode>& all) {
       return std::count_if(all.begin(), all.end(), [](const PairedEpisode& e) { return e.success; });
     };
-    const Comparison c = compare(before, after);
-    std::printf(
-        "%s, fresh: %td of %d tuned, %td as it is (McNemar p %.3f); time of both %+.2f s (%+.2f to %+.2f)\n",
-        name.c_str(), successes(after), arguments_.judged, successes(before), c.p, c.time.mean, c.time.low,
-        c.time.high);
+    for (std::size_t candidate = 0; candidate < (arguments_.set.empty() ? 1U : 2U); ++candidate) {
+      const std::vector<PairedEpisode> before = episodes(candidate);
+      const Comparison c = compare(before, after);
+      std::printf(
+          "%s, fresh: %td of %d tuned, %td %s (McNemar p %.3g); time of both %+.2f s (%+.2f to %+.2f)\n",
+          name.c_str(), successes(after), arguments_.judged, successes(before),
+          candidate == 0 ? "as it is" : "by --set", c.p, c.time.mean, c.time.low, c.time.high);
+    }
   }
 
   const Arguments& arguments_;
   std::vector<TunedParameter> parameters_;
-  TuneLog log_;
+  Kept log_;
 };
 
 TuneSuite suite_of(const std::string& name) {
@@ -152,12 +166,15 @@ void add_tune(cli::Verb verb) {
   verb.option("--parameters", arguments->parameters,
               "Names, separated by commas; default: all numbers of its section")
       .separated_by_commas();
+  verb.option("--set", arguments->set,
+              "Parameter that all candidates but the first have, who are drawn about it")
+      .one_each_time();
   verb.option("--drives", arguments->drives, "Of the tuning (2000)").within(1, 10'000'000);
   verb.option("--judged", arguments->judged, "Fresh episodes of each suite that judge (200)")
       .within(1, 1'000'000);
   verb.option("--seed", arguments->seed, "Of the candidates (1)");
   verb.option("--jobs", arguments->jobs, "Drives at a time (1)").within(1, 1024);
-  verb.option("--log", arguments->log, "Every drive; the same command goes on with it (tune.log)");
+  verb.option("--log", arguments->log, "Folder of all drives; the same command goes on with it (tune)");
   verb.run([arguments] { return Tuning(*arguments).run(); });
 }
 

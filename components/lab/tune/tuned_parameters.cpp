@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "components/lab/bench/planner_overrides.hpp"
 #include "components/model/random.hpp"
 #include "runtime/parameters/list_parameters.hpp"
 
@@ -26,8 +27,10 @@ bool is_of(const std::string& name, const std::string& planner) {
 
 }  // namespace
 
-std::vector<TunedParameter> parameters_of(const std::string& planner, const std::vector<std::string>& names) {
+std::vector<TunedParameter> parameters_of(const std::string& planner, const std::vector<std::string>& names,
+                                          const std::vector<std::string>& set) {
   PlannerOptions options;
+  apply_overrides(options, set);
   std::vector<TunedParameter> tuned;
   std::vector<std::string> left = names;
   for (const ParameterRow& row : list_parameters(options)) {

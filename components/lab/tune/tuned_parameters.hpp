@@ -17,10 +17,11 @@ struct TunedParameter {
 };
 
 /// Numbers among the parameters of the planner's section, of `teb` where it drives bands, and of what all planners share.
-/// `names`: these instead. Throws std::runtime_error for a name that is no number of a planner.
-std::vector<TunedParameter> parameters_of(const std::string& planner, const std::vector<std::string>& names);
+/// `names`: these instead. `set`: overrides that their values have. Throws std::runtime_error for a name that is no number of a planner.
+std::vector<TunedParameter> parameters_of(const std::string& planner, const std::vector<std::string>& names,
+                                          const std::vector<std::string>& set = {});
 
-/// --set for candidate `number`, from `seed`: nothing for 0, which is today's. Others differ in half of the parameters, each
+/// --set for candidate `number`, from `seed`: nothing for 0, which is as it is. Others differ in half of the parameters, each
 /// by a factor drawn up to `widest` either way, equal in the logarithm, within what it may have; of a value of 0 nothing is
 /// changed.
 std::vector<std::string> settings_of(const std::vector<TunedParameter>& parameters, std::size_t number,

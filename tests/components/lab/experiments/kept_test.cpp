@@ -1,5 +1,5 @@
 // Finished pieces of long work.
-#include "components/lab/experiments/kept.hpp"
+#include "components/lab/shards/kept.hpp"
 
 #include <fstream>
 

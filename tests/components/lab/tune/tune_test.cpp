@@ -1,13 +1,12 @@
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include "components/lab/bench/planner_overrides.hpp"
 #include "components/lab/tune/successive_halving.hpp"
-#include "components/lab/tune/tune_log.hpp"
+#include "components/lab/tune/tune_suite.hpp"
 #include "components/lab/tune/tuned_parameters.hpp"
 #include "components/model/random.hpp"
 
@@ -65,23 +64,19 @@ TEST(TunedParameters, CandidatesKeepToWhatIsAllowed) {
   }
 }
 
-TEST(TuneLog, GoesOnWhereItWas) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "bandwagon_tune.log";
-  std::filesystem::remove(file);
-  {
-    TuneLog log(file, "head");
-    log.add(3, 20001, {true, 12.5, 30.0});
-    log.add(3, 20002, {false, 30.0, 30.0});
-  }
-  std::ofstream(file, std::ios::app) << "4 20001 1 12";
-  TuneLog log(file, "head");
-  EXPECT_EQ(log.size(), 2U) << "the line that was cut is driven again";
-  ASSERT_TRUE(log.find(3, 20001));
-  EXPECT_DOUBLE_EQ(log.find(3, 20001)->cost(), 0.1 * 12.5 / 30.0);
-  EXPECT_DOUBLE_EQ(log.find(3, 20002)->cost(), 1.0);
-  EXPECT_FALSE(log.find(4, 20001));
-  EXPECT_THROW(TuneLog(file, "another head"), std::runtime_error);
-  std::filesystem::remove(file);
+// Of a set the values are turned that it has: 12 by up to 3 either way.
+TEST(TunedParameters, CandidatesAreDrawnAboutASet) {
+  const std::string name = "mppi.path_follow.cost_weight";
+  const std::vector<TunedParameter> parameters = parameters_of("mppi", {name}, {name + "=12"});
+  ASSERT_EQ(parameters.size(), 1U);
+  EXPECT_DOUBLE_EQ(parameters.front().value, 12.0);
+}
+
+// Episodes that judge are none that were tuned on: 20,001 and 40,001 were the same case of 500.
+TEST(TuneSuite, CrowdNavGoesOnBeyondItsCases) {
+  const PlannerOptions options;
+  EXPECT_NE(drive_episode(TuneSuite::crowdnav, 20'001, "orca", options).time,
+            drive_episode(TuneSuite::crowdnav, 40'001, "orca", options).time);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "components/lab/experiments/kept.hpp"
+#include "components/lab/shards/kept.hpp"
 
 #include <cctype>
 #include <cstdint>
