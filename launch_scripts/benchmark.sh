@@ -69,7 +69,8 @@ for program in "${programs[@]}"; do
     function tell() {
       if (n == 0) return
       middle = n % 2 ? r[(n + 1) / 2] : (r[n / 2] + r[n / 2 + 1]) / 2
-      printf "%-60s %.3f (%.3f to %.3f)%s\n", name, middle, r[1], r[n], (r[1] > 1.03 ? "  slower" : r[n] < 0.97 ? "  faster" : "")
+      word = r[1] > 1.03 ? "  slower" : r[n] < 0.97 ? "  faster" : ""  # a > in a print would be a file to some
+      printf "%-60s %.3f (%.3f to %.3f)%s\n", name, middle, r[1], r[n], word
     }
     $1 != name {tell(); name = $1; n = 0}
     {r[++n] = $2}
