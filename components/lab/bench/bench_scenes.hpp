@@ -25,7 +25,8 @@ std::string missed(const SceneGate& gate, const std::vector<SceneDrive>& drives)
 
 struct SceneSet {
   std::string name;
-  DriveScene empty;  ///< the same with nobody there, which each planner drives first
+  DriveScene
+      empty;  ///< the same with nobody there, which each planner drives first, once for all sets whose empty scene has this name
   std::vector<DriveScene> scenes = {};
   std::optional<SceneGate> gate = {};
 };

@@ -28,13 +28,13 @@ struct BoardDrive {
 
 struct BoardRow {
   std::string planner;
+  std::string made;  ///< revision, date and command, for who cites it
   std::vector<BoardDrive> drives;
 };
 
 struct BoardSuite {
   std::string name;
   bool whole_graph = false;  ///< else the planner alone: rows of the two are not compared
-  std::string made;          ///< revision, date and command, for who cites it
   std::vector<BoardRow> rows;
 };
 

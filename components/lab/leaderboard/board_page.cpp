@@ -74,6 +74,15 @@ std::vector<std::string> failures_of(const BoardSuite& suite) {
   return failures;
 }
 
+// Once each: a file may hold several rows.
+std::vector<std::string> made_of(const BoardSuite& suite) {
+  std::vector<std::string> all;
+  for (const BoardRow& row : suite.rows)
+    if (const std::string made = report::plain(row.made); std::ranges::find(all, made) == all.end())
+      all.push_back(made);
+  return all;
+}
+
 }  // namespace
 
 report::Document board_page(const std::vector<BoardSuite>& suites) {
@@ -88,10 +97,10 @@ report::Document board_page(const std::vector<BoardSuite>& suites) {
   page.table(who_wins(suites, figures));
   for (std::size_t k = 0; k < suites.size(); ++k) {
     page.heading(suites[k].name);
-    page.text(report::plain(suites[k].whole_graph ? "Whole graphs. " : "Planners alone. ") +
-              report::plain(suites[k].made));
+    page.text(suites[k].whole_graph ? "Whole graphs." : "Planners alone.");
     page.table(rows_of(figures[k]));
     page.list("Failed:", failures_of(suites[k]));
+    page.list("Driven by:", made_of(suites[k]));
   }
   return page;
 }
@@ -104,6 +113,7 @@ nlohmann::ordered_json to_json(const std::vector<BoardSuite>& suites) {
     Json rows = Json::array();
     for (const BoardFigures& f : figures_of(suite))
       rows.push_back({{"planner", f.planner},
+                      {"made", std::ranges::find(suite.rows, f.planner, &BoardRow::planner)->made},
                       {"drives", f.drives},
                       {"starts", f.starts},
                       {"successes", f.successes},
@@ -119,10 +129,7 @@ nlohmann::ordered_json to_json(const std::vector<BoardSuite>& suites) {
                       {"max_collision_index", value(f.collision_index)},
                       {"cycle_ms", value(f.cycle)},
                       {"contacts", f.contacts.to_json()}});
-    all.push_back({{"name", suite.name},
-                   {"whole_graph", suite.whole_graph},
-                   {"made", suite.made},
-                   {"rows", std::move(rows)}});
+    all.push_back({{"name", suite.name}, {"whole_graph", suite.whole_graph}, {"rows", std::move(rows)}});
   }
   return {{"suites", std::move(all)}};
 }

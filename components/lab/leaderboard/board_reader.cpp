@@ -58,23 +58,24 @@ std::string made_of(const Json& root) {
 
 class Suites {
  public:
-  Suites(std::vector<BoardSuite>& suites, std::string made) : suites_(suites), made_(std::move(made)) {}
+  Suites(std::vector<BoardSuite>& suites, std::string label, std::string made)
+      : suites_(suites), label_(std::move(label)), made_(std::move(made)) {}
 
-  void add(const std::string& name, bool whole_graph, const std::string& planner, const Json& drives) {
+  void add(const std::string& name, bool whole_graph, std::string planner, const Json& drives) {
+    if (!label_.empty()) planner += " " + label_;
     auto suite = std::ranges::find(suites_, name, &BoardSuite::name);
-    if (suite == suites_.end()) suite = suites_.insert(suite, {name, whole_graph, made_, {}});
+    if (suite == suites_.end()) suite = suites_.insert(suite, {name, whole_graph, {}});
     if (suite->whole_graph != whole_graph)
       throw std::runtime_error(name + ": drives of planners alone and of whole graphs");
     if (std::ranges::find(suite->rows, planner, &BoardRow::planner) != suite->rows.end())
       throw std::runtime_error(fmt::format("{} of {} is there already", planner, name));
-    if (suite->made.find(made_) == std::string::npos) suite->made += "; " + made_;
-    suite->rows.push_back({planner, {}});
+    suite->rows.push_back({planner, made_, {}});
     for (const Json& drive : drives) suite->rows.back().drives.push_back(drive_of(drive));
   }
 
  private:
   std::vector<BoardSuite>& suites_;
-  std::string made_;
+  std::string label_, made_;
 };
 
 // Of evaluate: planners are told drive by drive.
@@ -123,12 +124,13 @@ void add_file(Suites& suites, const Json& root) {
 
 }  // namespace
 
-void read_board(const std::filesystem::path& file, std::vector<BoardSuite>& suites) {
+void read_board(const std::filesystem::path& file, std::vector<BoardSuite>& suites,
+                const std::string& label) {
   try {
     std::ifstream in(file);
     if (!in) throw std::runtime_error("cannot be read");
     const Json root = Json::parse(in);
-    Suites into(suites, made_of(root));
+    Suites into(suites, label, made_of(root));
     add_file(into, root);
   } catch (const std::exception& error) {
     throw std::runtime_error(file.string() + ": " + error.what());

@@ -42,14 +42,17 @@ int hold_to(const GateRecord& before, const GateRecord& now) {
 
 void add_leaderboard(cli::Verb verb) {
   struct Options {
-    std::vector<std::filesystem::path> files;
+    std::vector<std::string> files;
     std::string out;
     std::string json;
     std::string gate;
     std::string write_gate;
   };
   auto options = std::make_shared<Options>();
-  verb.option("FILE", options->files, "Results of evaluate or bench (--json)").required();
+  verb.option(
+          "FILE", options->files,
+          "[LABEL:]FILE, results of evaluate or bench (--json); a label stands after the names of its planners")
+      .required();
   verb.option("-o,--out", options->out, "The page, one HTML file that needs nothing else");
   verb.option("--json", options->json, "Writes the figures here");
   verb.option("--gate", options->gate,
@@ -59,7 +62,10 @@ void add_leaderboard(cli::Verb verb) {
   verb.run([options] {
     if (!options->out.empty()) require_report_page("--out " + options->out);
     std::vector<BoardSuite> suites;
-    for (const std::filesystem::path& file : options->files) read_board(file, suites);
+    for (const std::string& file : options->files) {
+      const std::size_t colon = file.find(':');  // npos + 1 is 0
+      read_board(file.substr(colon + 1), suites, colon == std::string::npos ? "" : file.substr(0, colon));
+    }
     print(suites);
     if (!options->out.empty()) write_report_page(board_page(suites), options->out);
     if (!options->json.empty()) write_file_atomically(options->json, to_json(suites).dump(2) + "\n");

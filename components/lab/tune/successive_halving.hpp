@@ -24,7 +24,7 @@ struct Candidate {
 /// Cost of each of a candidate's `first` to `first + count - 1`-th episodes.
 using Drive = std::function<std::vector<double>(std::size_t candidate, std::size_t first, std::size_t count)>;
 
-/// Best first: by how far they came, then by cost, then by number. Candidate 0, what is there today, drives all rungs.
+/// Best first: by how far they came, then by cost, then by number. Candidate 0, where they begin, drives all rungs.
 std::vector<Candidate> successive_halving(std::size_t candidates, const Drive& drive);
 
 }  // namespace bw::tune

@@ -57,7 +57,8 @@ class Tuning {
     const std::vector<Candidate> ranked =
         successive_halving(count, [&](std::size_t k, std::size_t first, std::size_t n) {
           const std::vector<TuneDrive> drives =
-              drive(arguments_.suite, arguments_.suite_name, k, kTuned + first, n);
+              drive(arguments_.suite, fmt::format("{}_{}_{}", arguments_.suite_name, k, first), settings(k),
+                    kTuned + first, n);
           std::vector<double> costs;
           for (const TuneDrive& one : drives) costs.push_back(one.cost());
           std::printf("candidate %zu, %zu episodes: cost %.4f\n", k, first + n,
@@ -75,20 +76,15 @@ class Tuning {
   }
 
  private:
-  /// 0: as it is; with --set 1 is that, and all further ones are near it.
   std::vector<std::string> settings(std::size_t candidate) const {
-    if (candidate == 0) return {};
     std::vector<std::string> all = arguments_.set;
-    const std::size_t number = all.empty() ? candidate : candidate - 1;
-    for (std::string& turned : settings_of(parameters_, number, arguments_.seed))
+    for (std::string& turned : settings_of(parameters_, candidate, arguments_.seed))
       all.push_back(std::move(turned));
     return all;
   }
 
-  std::vector<TuneDrive> drive(TuneSuite suite, const std::string& suite_name, std::size_t candidate,
+  std::vector<TuneDrive> drive(TuneSuite suite, const std::string& name, const std::vector<std::string>& set,
                                std::uint64_t first, std::size_t count) {
-    const std::vector<std::string> set = settings(candidate);
-    const std::string name = fmt::format("{}_{}_{}", suite_name, candidate, first);
     const std::string made_by =
         fmt::format("{} {} {} {}", arguments_.planner, build_id(), count, joined(set));
     std::vector<TuneDrive> drives;
@@ -110,26 +106,31 @@ class Tuning {
     return drives;
   }
 
-  /// Against as it is, and against --set.
-  void judge(TuneSuite suite, const std::string& name, std::size_t best) {
-    const auto episodes = [&](std::size_t candidate) {
-      std::vector<PairedEpisode> all;
-      const auto count = static_cast<std::size_t>(arguments_.judged);
-      for (const TuneDrive& one : drive(suite, name, candidate, kJudged, count))
-        all.push_back({.key = std::to_string(all.size()), .success = one.success, .time = one.time});
-      return all;
-    };
-    const std::vector<PairedEpisode> after = episodes(best);
+  std::vector<PairedEpisode> judged(TuneSuite suite, const std::string& name,
+                                    const std::vector<std::string>& set) {
+    std::vector<PairedEpisode> all;
+    for (const TuneDrive& one : drive(suite, name, set, kJudged, static_cast<std::size_t>(arguments_.judged)))
+      all.push_back({.key = std::to_string(all.size()), .success = one.success, .time = one.time});
+    return all;
+  }
+
+  /// Against candidate 0, and against none of --set.
+  void judge(TuneSuite suite, const std::string& suite_name, std::size_t best) {
     const auto successes = [](const std::vector<PairedEpisode>& all) {
       return std::count_if(all.begin(), all.end(), [](const PairedEpisode& e) { return e.success; });
     };
-    for (std::size_t candidate = 0; candidate < (arguments_.set.empty() ? 1U : 2U); ++candidate) {
-      const std::vector<PairedEpisode> before = episodes(candidate);
+    const std::vector<PairedEpisode> after =
+        judged(suite, fmt::format("{}_{}_judged", suite_name, best), settings(best));
+    std::vector<std::vector<std::string>> others = {{}};
+    if (!arguments_.set.empty()) others.push_back(arguments_.set);
+    for (std::size_t k = 0; k < others.size(); ++k) {
+      const std::vector<PairedEpisode> before =
+          judged(suite, fmt::format("{}_{}_judged", suite_name, k == 0 ? "as_it_is" : "0"), others[k]);
       const Comparison c = compare(before, after);
       std::printf(
           "%s, fresh: %td of %d tuned, %td %s (McNemar p %.3g); time of both %+.2f s (%+.2f to %+.2f)\n",
-          name.c_str(), successes(after), arguments_.judged, successes(before),
-          candidate == 0 ? "as it is" : "by --set", c.p, c.time.mean, c.time.low, c.time.high);
+          suite_name.c_str(), successes(after), arguments_.judged, successes(before),
+          k == 0 ? "as it is" : "by --set", c.p, c.time.mean, c.time.low, c.time.high);
     }
   }
 
@@ -167,7 +168,7 @@ void add_tune(cli::Verb verb) {
               "Names, separated by commas; default: all numbers of its section")
       .separated_by_commas();
   verb.option("--set", arguments->set,
-              "Parameter that all candidates but the first have, who are drawn about it")
+              "Parameter where candidates begin: the first has it, others are drawn about it")
       .one_each_time();
   verb.option("--drives", arguments->drives, "Of the tuning (2000)").within(1, 10'000'000);
   verb.option("--judged", arguments->judged, "Fresh episodes of each suite that judge (200)")

@@ -21,7 +21,7 @@ struct TunedParameter {
 std::vector<TunedParameter> parameters_of(const std::string& planner, const std::vector<std::string>& names,
                                           const std::vector<std::string>& set = {});
 
-/// --set for candidate `number`, from `seed`: nothing for 0, which is as it is. Others differ in half of the parameters, each
+/// --set for candidate `number`, from `seed`: nothing for 0, which is where they begin. Others differ in half of the parameters, each
 /// by a factor drawn up to `widest` either way, equal in the logarithm, within what it may have; of a value of 0 nothing is
 /// changed.
 std::vector<std::string> settings_of(const std::vector<TunedParameter>& parameters, std::size_t number,

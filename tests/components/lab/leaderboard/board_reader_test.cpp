@@ -43,7 +43,7 @@ TEST_F(BoardFiles, OfScenesHaveWorldsAsStarts) {
   ASSERT_EQ(suites.size(), 1U);
   EXPECT_EQ(suites[0].name, "easy");
   EXPECT_FALSE(suites[0].whole_graph);
-  EXPECT_EQ(suites[0].made, "revision 0123456789ab, 2026-01-02, bandwagon-lab bench dynabarn");
+  EXPECT_EQ(suites[0].rows[0].made, "revision 0123456789ab, 2026-01-02, bandwagon-lab bench dynabarn");
   const std::vector<BoardFigures> figures = figures_of(suites[0]);
   EXPECT_EQ(figures[0].drives, 2);
   EXPECT_EQ(figures[0].starts, 1);
@@ -89,6 +89,8 @@ TEST_F(BoardFiles, OfACrowdHaveOnePlannerOrSeveral) {
   EXPECT_EQ(suites[0].name, "walkers who do not react");
   ASSERT_EQ(suites[0].rows.size(), 2U);
   EXPECT_EQ(suites[0].rows[0].drives[0].key, "31001");
+  read_board(file("again.json", row), suites, "tuned");
+  EXPECT_EQ(suites[0].rows[2].planner, "teb tuned");
 }
 
 TEST_F(BoardFiles, AreRefusedByName) {

@@ -44,7 +44,7 @@ TEST(Board, WithoutAFailureStartsCount) {
 // = 2 / 32 = 0.0625, not shown to be worse. With 84: six alone, p = 2 / 64 = 0.031.
 TEST(Board, TellsWhoIsNotShownToBeWorse) {
   BoardSuite suite{
-      .name = "s", .whole_graph = false, .made = {}, .rows = {{"near", {}}, {"far", {}}, {"best", {}}}};
+      .name = "s", .whole_graph = false, .rows = {{"near", {}, {}}, {"far", {}, {}}, {"best", {}, {}}}};
   for (int k = 0; k < 100; ++k) {
     suite.rows[0].drives.push_back(drive(k, k, k < 85, 12.0));
     suite.rows[1].drives.push_back(drive(k, k, k < 84, 9.0));
@@ -65,7 +65,7 @@ TEST(Board, TellsWhoIsNotShownToBeWorse) {
 
 // As good, the faster one stands first.
 TEST(Board, TiesGoByTime) {
-  BoardSuite suite{.name = "s", .whole_graph = false, .made = {}, .rows = {{"slow", {}}, {"fast", {}}}};
+  BoardSuite suite{.name = "s", .whole_graph = false, .rows = {{"slow", {}, {}}, {"fast", {}, {}}}};
   for (int k = 0; k < 4; ++k) {
     suite.rows[0].drives.push_back(drive(k, k, true, 12.0));
     suite.rows[1].drives.push_back(drive(k, k, true, 9.0));
