@@ -115,6 +115,9 @@ EpisodeResult drive_job(const EvaluateOptions& options, const Suite& suite, cons
   } catch (const RunFailed& failure) {
     driven.json = {{"reached", false}, {"reason", failure.what()}, {kRunFailed, true}, {"planner", nullptr}};
   }
+  // Who sets results side by side: other conditions are another suite, and values of --vary are departures of one start.
+  if (!job.variant.empty()) driven.json["variant"] = job.variant;
+  if (!job.value.empty()) driven.json["episode"] = suite.options.episodes[job.episode].name;
   const nlohmann::json& card = driven.json;
   EpisodeResult result{episode_name(suite, job), job.seed, planner_of(card, job), card};
   if (result.run_failed()) return result;
@@ -351,8 +354,9 @@ int evaluate(const EvaluateOptions& options) {
 void add_evaluate(cli::Verb verb) {
   auto options = std::make_shared<EvaluateOptions>();
   verb.option("SUITE", options->suites, "Suite files");
-  verb.option("--planners", options->planners,
-              "Algorithms of local_planner, or programs that plan (a path with a slash), separated by commas; default: the graph's own")
+  verb.option(
+          "--planners", options->planners,
+          "Algorithms of local_planner, or programs that plan (a path with a slash), separated by commas; default: the graph's own")
       .separated_by_commas();
   verb.option("--seeds", options->seeds, "A..B instead of the suite's seeds");
   verb.option("--episode", options->only_episode, "Only the episode of this name");

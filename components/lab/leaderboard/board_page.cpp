@@ -15,21 +15,25 @@ std::string success_of(const BoardFigures& f) {
                      100.0 * f.success.high);
 }
 
-report::Table who_wins(const std::vector<BoardSuite>& suites,
-                       const std::vector<std::vector<BoardFigures>>& figures) {
-  std::vector<report::Head> heads{"planner"};
+using SuiteFigures = std::vector<BoardFigures>;
+
+// Of planners alone, or of whole graphs.
+report::Table who_wins(const std::vector<BoardSuite>& suites, const std::vector<SuiteFigures>& figures,
+                       bool whole_graph) {
   std::vector<std::string> planners;
-  for (std::size_t k = 0; k < suites.size(); ++k) {
-    heads.emplace_back(suites[k].name);
-    for (const BoardFigures& f : figures[k])
-      if (std::ranges::find(planners, f.planner) == planners.end()) planners.push_back(f.planner);
-  }
+  for (std::size_t k = 0; k < suites.size(); ++k)
+    for (const BoardRow& row : suites[k].rows)
+      if (suites[k].whole_graph == whole_graph && std::ranges::find(planners, row.planner) == planners.end())
+        planners.push_back(row.planner);
+  std::vector<report::Head> heads{whole_graph ? "whole graphs" : "planners alone"};
+  heads.insert(heads.end(), planners.begin(), planners.end());
   report::Table table(heads);
-  for (const std::string& planner : planners) {
-    std::vector<report::Cell> cells{planner};
-    for (const std::vector<BoardFigures>& suite : figures) {
-      const auto f = std::ranges::find(suite, planner, &BoardFigures::planner);
-      if (f == suite.end())
+  for (std::size_t k = 0; k < suites.size(); ++k) {
+    if (suites[k].whole_graph != whole_graph) continue;
+    std::vector<report::Cell> cells{suites[k].name};
+    for (const std::string& planner : planners) {
+      const auto f = std::ranges::find(figures[k], planner, &BoardFigures::planner);
+      if (f == figures[k].end())
         cells.emplace_back("");
       else
         cells.emplace_back(report::Verdict{fmt::format("{:.1f} %", 100.0 * f->share()),
@@ -40,17 +44,43 @@ report::Table who_wins(const std::vector<BoardSuite>& suites,
   return table;
 }
 
-report::Table rows_of(const std::vector<BoardFigures>& figures) {
-  report::Table table({"planner", "drives", "starts", "success (95 % over starts)", "less than the best", "p",
-                       "score", "time [s]", "way [m]", "jerk [m/s^3]", "largest CI", "cycle [ms]",
-                       "contacts by who moved"});
-  for (const BoardFigures& f : figures) {
-    const MeanInterval& less = f.against_best.success;
-    table.row({f.planner, f.drives, f.starts, success_of(f),
-               fmt::format("{:+.1f} ({:+.1f} to {:+.1f}) points of {} pairs", 100.0 * less.mean,
-                           100.0 * less.low, 100.0 * less.high, f.against_best.pairs),
-               f.against_best.p, f.score, f.time, f.path, f.jerk, f.collision_index, f.cycle,
-               f.contacts.in_words()});
+struct FigureColumn {
+  const char* head;
+  std::optional<double> BoardFigures::*figure;
+};
+constexpr FigureColumn kFigures[] = {{"score", &BoardFigures::score},
+                                     {"time [s]", &BoardFigures::time},
+                                     {"way [m]", &BoardFigures::path},
+                                     {"jerk [m/s^3]", &BoardFigures::jerk},
+                                     {"largest CI", &BoardFigures::collision_index},
+                                     {"cycle [ms]", &BoardFigures::cycle}};
+
+std::string beside_the_best(const Comparison& c) {
+  if (c.pairs == 0) return "no drive of both";
+  return fmt::format("{:+.1f} ({:+.1f} to {:+.1f}) points in {} pairs, p {:.2g}", 100.0 * c.success.mean,
+                     100.0 * c.success.low, 100.0 * c.success.high, c.pairs, c.p);
+}
+
+// Columns of which some row has a figure.
+report::Table rows_of(const SuiteFigures& figures) {
+  std::vector<report::Head> heads{"planner", "drives", "starts", "success (95 % over starts)",
+                                  "beside the best"};
+  std::vector<FigureColumn> columns;
+  for (const FigureColumn& column : kFigures) {
+    if (std::ranges::none_of(figures, [&](const BoardFigures& f) { return (f.*column.figure).has_value(); }))
+      continue;
+    columns.push_back(column);
+    heads.emplace_back(column.head);
+  }
+  heads.emplace_back("contacts by who moved");
+  report::Table table(heads);
+  for (std::size_t k = 0; k < figures.size(); ++k) {
+    const BoardFigures& f = figures[k];
+    std::vector<report::Cell> cells{f.planner, f.drives, f.starts, success_of(f),
+                                    k == 0 ? "the best" : beside_the_best(f.against_best)};
+    for (const FigureColumn& column : columns) cells.emplace_back(f.*column.figure);
+    cells.emplace_back(f.contacts.in_words());
+    table.row(cells);
   }
   return table;
 }
@@ -86,21 +116,24 @@ std::vector<std::string> made_of(const BoardSuite& suite) {
 }  // namespace
 
 report::Document board_page(const std::vector<BoardSuite>& suites) {
-  std::vector<std::vector<BoardFigures>> figures;
+  std::vector<SuiteFigures> figures;
   for (const BoardSuite& suite : suites) figures.push_back(figures_of(suite));
   report::Document page("Leaderboard");
+  page.heading("Leaderboard", 1);
   page.text(
       "Success is one thing in all suites: the goal in time, without any contact, however slow the robot was and whoever "
-      "walked into whom. Green: the best of a suite, and who is not shown to be worse (McNemar on the same episodes, p at "
-      "least 0.05). Intervals are by bootstrap over starts and worlds. Planners alone and whole graphs are not compared "
-      "with each other.");
-  page.table(who_wins(suites, figures));
-  for (std::size_t k = 0; k < suites.size(); ++k) {
-    page.heading(suites[k].name);
-    page.text(suites[k].whole_graph ? "Whole graphs." : "Planners alone.");
-    page.table(rows_of(figures[k]));
-    page.list("Failed:", failures_of(suites[k]));
-    page.list("Driven by:", made_of(suites[k]));
+      "walked into whom. Green: the best of a suite, and who is not shown to be worse (McNemar on the episodes that both "
+      "drove, p at least 0.05; few drives show little). Intervals are by bootstrap over starts and worlds.");
+  for (const bool whole_graph : {false, true}) page.table(who_wins(suites, figures, whole_graph));
+  for (const bool whole_graph : {false, true}) {
+    for (std::size_t k = 0; k < suites.size(); ++k) {
+      if (suites[k].whole_graph != whole_graph) continue;
+      page.heading(suites[k].name);
+      page.text(whole_graph ? "Whole graphs." : "Planners alone.");
+      page.table(rows_of(figures[k]));
+      page.list("Failed:", failures_of(suites[k]));
+      page.list("Driven by:", made_of(suites[k]));
+    }
   }
   return page;
 }

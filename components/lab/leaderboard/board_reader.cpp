@@ -4,6 +4,7 @@
 #include <fstream>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -29,8 +30,9 @@ BoardDrive drive_of(const Json& json) {
   drive.key = json.at("name").get<std::string>();
   drive.start = start_of(drive.key);
   if (json.contains("seed")) {
-    drive.key += fmt::format(", seed {}", json.at("seed").get<std::int64_t>());
-    drive.start = drive.key;
+    const std::string seed = fmt::format(", seed {}", json.at("seed").get<std::int64_t>());
+    drive.start = json.value("episode", drive.key) + seed;
+    drive.key += seed;
   }
   drive.success = json.contains("success") ? json.at("success").get<bool>() : json.at("outcome") == "reached";
   drive.time = figure(json, {"time_s", "time_to_goal_s"});
@@ -78,17 +80,23 @@ class Suites {
   std::string label_, made_;
 };
 
-// Of evaluate: planners are told drive by drive.
+// Of evaluate: planners are told drive by drive, with the variant under which they drove, which is a suite of its own.
 void add_suite(Suites& suites, const Json& suite) {
-  const std::string name = std::filesystem::path(suite.at("suite").get<std::string>()).stem().string();
-  std::vector<std::string> order;
-  std::map<std::string, Json> by_planner;
+  const std::string file = std::filesystem::path(suite.at("suite").get<std::string>()).stem().string();
+  using Row = std::pair<std::string, std::string>;  // suite and planner
+  std::vector<Row> order;
+  std::map<Row, Json> drives;
   for (const Json& episode : suite.at("episodes")) {
-    const std::string planner = episode.at("planner").get<std::string>();
-    if (!by_planner.contains(planner)) order.push_back(planner);
-    by_planner[planner].push_back(episode);
+    Row row{file, episode.at("planner").get<std::string>()};
+    if (const std::string variant = episode.value("variant", ""); !variant.empty()) {
+      row.first += ", " + variant;
+      const std::size_t at = row.second.find(" " + variant);
+      if (at != std::string::npos) row.second.erase(at, variant.size() + 1);
+    }
+    if (!drives.contains(row)) order.push_back(row);
+    drives[row].push_back(episode);
   }
-  for (const std::string& planner : order) suites.add(name, true, planner, by_planner[planner]);
+  for (const Row& row : order) suites.add(row.first, true, row.second, drives[row]);
 }
 
 void add_file(Suites& suites, const Json& root) {

@@ -1,6 +1,7 @@
 #include "components/lab/shards/provenance.hpp"
 
 #include <ctime>
+#include <filesystem>
 #include <fstream>
 #include <span>
 
@@ -18,7 +19,8 @@ Provenance provenance_of(const std::string& drives, std::int64_t shard, std::int
 nlohmann::ordered_json citation() {
   std::ifstream in("/proc/self/cmdline", std::ios::binary);
   std::string command;
-  for (std::string word; std::getline(in, word, '\0');) command += (command.empty() ? "" : " ") + word;
+  for (std::string word; std::getline(in, word, '\0');)
+    command += command.empty() ? std::filesystem::path(word).filename().string() : " " + word;
   const std::time_t now = std::time(nullptr);
   std::tm utc{};
   gmtime_r(&now, &utc);

@@ -65,6 +65,21 @@ TEST_F(BoardFiles, OfEvaluationsHaveARowForEachPlanner) {
   EXPECT_THAT(page, testing::HasSubstr("[teb, full, seed 1](f.html)"));
 }
 
+// A variant is a suite of its own, and values of --vary are departures of one start, whose drives are not independent.
+TEST_F(BoardFiles, OfVariantsAreSuitesAndOfDeparturesOneStart) {
+  read_board(file("v.json", R"({"suite": "eth.yaml", "episodes": [
+    {"name": "eth_1s_0.6", "episode": "eth_1s", "variant": "own", "seed": 1, "planner": "eteb own", "success": true},
+    {"name": "eth_1s_0.8", "episode": "eth_1s", "variant": "own", "seed": 1, "planner": "eteb own", "success": false}]})"),
+             suites);
+  ASSERT_EQ(suites.size(), 1U);
+  EXPECT_EQ(suites[0].name, "eth, own");
+  EXPECT_EQ(suites[0].rows[0].planner, "eteb");
+  const BoardFigures figures = figures_of(suites[0])[0];
+  EXPECT_EQ(figures.drives, 2);
+  EXPECT_EQ(figures.starts, 1);
+  EXPECT_EQ(suites[0].rows[0].drives[1].key, "eth_1s_0.8, seed 1");
+}
+
 // `bench course`: whole robots, with a score of its own rule, of which 0.5 and 0 are 0.25.
 TEST_F(BoardFiles, OfCoursesHaveAScore) {
   read_board(
