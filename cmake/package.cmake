@@ -50,7 +50,7 @@ if(BANDWAGON_DEBIAN)
   list(APPEND elsewhere PATTERN robots EXCLUDE PATTERN udev EXCLUDE)
 endif()
 install(DIRECTORY config DESTINATION ${data} COMPONENT program ${elsewhere})
-install(DIRECTORY config/suites DESTINATION ${data}/config COMPONENT lab)
+install(DIRECTORY config/suites config/planners DESTINATION ${data}/config COMPONENT lab)
 
 install(EXPORT bandwagon NAMESPACE bandwagon:: FILE bandwagonTargets.cmake DESTINATION ${package} COMPONENT dev)
 configure_package_config_file(cmake/bandwagonConfig.cmake.in ${CMAKE_BINARY_DIR}/bandwagonConfig.cmake

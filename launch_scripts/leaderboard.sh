@@ -11,7 +11,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 lab=$(realpath "${BANDWAGON_LAB:-$root/build/release/bin/bandwagon-lab}")
 folder=$1 share=${2:-100}
 planners=("${@:3}")
-((${#planners[@]} > 0)) || planners=(eteb pteb teb_homotopy teb orca mppi mppi_tuned hrvo edwa dwa)
+((${#planners[@]} > 0)) || planners=(eteb pteb teb_homotopy teb orca mppi mppi_tuned hrvo edwa dwa orca_holonomic social_force_holonomic)
 data=${BANDWAGON_SHARED:-}/data
 jobs=(--jobs "${BANDWAGON_JOBS:-2}")
 mkdir -p "$folder" && cd "$folder"
@@ -30,28 +30,30 @@ all_suites() { # all_suites PLANNER
   [[ $name != *_tuned ]] || readarray -t set < <(sed 's/^/--set=/' "$root/config/planners/$name.txt")
   local graph_set=("${set[@]/#--set=/--set=local_planner.}")
   case $name in
-    eteb) most=500 ;;
+    eteb | *_holonomic) most=500 ;;
     hrvo | edwa | dwa) many=40 most=40 ;;
   esac
   alone() { make "$1-$name" bench "${@:2}" --planner "$planner" "${set[@]}" "${jobs[@]}"; }
   whole() { make "$1-$name" evaluate "${@:2}" --planners "$planner" "${graph_set[@]}" --html "pages/$name" "${jobs[@]}"; }
+  whole_graphs() { # by their own senses
+    whole hallway "$root/config/suites/hallway.yaml" --seeds "1..$(part 50)"
+    [[ ! -d $data/barn_worlds ]] || make "barn-$name" bench course --worlds "$data/barn_worlds" --generate "$(part 90)" --first-seed 2001 --planner "$planner" "${graph_set[@]}"
+    if [[ -d $data/eth_ucy_pedestrians ]]; then
+      local delays=(0.6 0.8 1.0 1.2 1.4) IFS=,
+      delays=("${delays[@]:0:$(part 5)}")
+      for suite in eth hotel zara01; do whole $suite "$root/config/suites/$suite.yaml" --variants own --vary "navigator.goal.delay=${delays[*]}"; done
+    fi
+  }
 
   for scene in crowd mixed_crowd; do alone "crowdnav_$scene" crowdnav --scene $scene --cases "$(part $most)"; done
+  for scene in circle square; do alone "crowdnav_$scene" crowdnav --scene $scene --cases "$(part $many)"; done
+  [[ $name != *_holonomic ]] || return 0  # CrowdNav's own
   alone corridor corridor --drives "$(part $most)"
   alone crowd crowd --generate "$(part $many)" --first-seed 50001
-  for scene in circle square; do alone "crowdnav_$scene" crowdnav --scene $scene --cases "$(part $many)"; done
   alone crossing corridor --walkers crossing --drives "$(part $many)"
   [[ ! -d $data/dynabarn ]] || alone dynabarn dynabarn --worlds "$data/dynabarn" --phases "$(part $((many / 10)))"
+  case $name in eteb | pteb | mppi*) whole_graphs ;; esac
   alone flows flows --drives "$(part $many)"
-
-  [[ $name == eteb || $name == pteb || $name == mppi* ]] || return 0
-  whole hallway "$root/config/suites/hallway.yaml" --seeds "1..$(part 50)"
-  [[ ! -d $data/barn_worlds ]] || make "barn-$name" bench course --worlds "$data/barn_worlds" --generate "$(part 90)" --first-seed 2001 --planner "$planner" "${graph_set[@]}"
-  if [[ -d $data/eth_ucy_pedestrians ]]; then
-    local delays=(0.6 0.8 1.0 1.2 1.4) IFS=,
-    delays=("${delays[@]:0:$(part 5)}")
-    for suite in eth hotel zara01; do whole $suite "$root/config/suites/$suite.yaml" --variants own --vary "navigator.goal.delay=${delays[*]}"; done
-  fi
 }
 
 for name in "${planners[@]}"; do all_suites "$name"; done
