@@ -149,11 +149,7 @@ class CrowdBench {
       episode.walks = {};  // large, and no longer asked for
       return episode;
     };
-    const auto tell = [](const CrowdEpisode& episode) {
-      std::fputs(in_a_line(episode).c_str(), stdout);
-      std::fflush(stdout);
-    };
-    return run_in_order(file.scenes.size(), arguments_.jobs, one, tell);
+    return run_in_order(file.scenes.size(), arguments_.jobs, one);
   }
 
   /// Drives that failed once more, the same ones, and looked at: few do, so that this costs less than to keep

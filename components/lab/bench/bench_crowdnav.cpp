@@ -42,12 +42,8 @@ class CrowdNavBench {
       const auto drive = [&](std::size_t i, const CpuClock& clock) {
         return drive_case(planner, static_cast<int>(i), clock, samples[i]);
       };
-      const auto tell = [](const CrowdNavEpisode& episode) {
-        std::fputs(in_a_line(episode).c_str(), stdout);
-        std::fflush(stdout);
-      };
       const std::vector<CrowdNavEpisode> episodes =
-          run_in_order(static_cast<std::size_t>(cases_), arguments_.jobs, drive, tell);
+          run_in_order(static_cast<std::size_t>(cases_), arguments_.jobs, drive);
       summaries.push_back(summarize(planner, episodes));
       if (!is_holonomic(planner)) failed += failures(planner, rated(episodes));
       rows.push_back(to_json(summaries.back(), episodes));

@@ -136,11 +136,7 @@ class SceneBench {
 
   std::vector<SceneDrive> drives(const std::string& planner, const std::vector<DriveScene>& scenes) const {
     const auto one = [&](std::size_t i, const CpuClock& clock) { return drive(planner, scenes[i], clock); };
-    const auto tell = [](const SceneDrive& d) {
-      std::fputs(in_a_line(d).c_str(), stdout);
-      std::fflush(stdout);
-    };
-    return run_in_order(scenes.size(), arguments_.jobs, one, tell);
+    return run_in_order(scenes.size(), arguments_.jobs, one);
   }
 
   const BenchScenesArguments& arguments_;

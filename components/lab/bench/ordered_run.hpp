@@ -1,6 +1,7 @@
 // Episodes handed to threads one by one, told of in the order of their numbers.
 #pragma once
 
+#include <cstdio>
 #include <future>
 #include <mutex>
 #include <optional>
@@ -11,10 +12,10 @@
 
 namespace bw {
 
-/// run(index, clock) for 0 ... count - 1, `jobs` at a time; tell(episode) for each, in order, once all before
-/// it are there. With one job the clock is the process's, else the thread's. Calls of `tell` never overlap.
-template <class Run, class Tell>
-auto run_in_order(std::size_t count, int jobs, const Run& run, const Tell& tell) {
+/// run(index, clock) for 0 ... count - 1, `jobs` at a time; in_a_line(episode) of those that have one is printed in order,
+/// once all before it are there. With one job the clock is the process's, else the thread's.
+template <class Run>
+auto run_in_order(std::size_t count, int jobs, const Run& run) {
   using Episode = decltype(run(std::size_t{}, CpuClock{}));
   std::vector<std::optional<Episode>> done(count);
   std::mutex mutex;
@@ -31,7 +32,12 @@ auto run_in_order(std::size_t count, int jobs, const Run& run, const Tell& tell)
       Episode episode = run(index, clock);
       const std::lock_guard lock(mutex);
       done[index] = std::move(episode);
-      for (; told < count && done[told]; ++told) tell(*done[told]);
+      for (; told < count && done[told]; ++told) {
+        if constexpr (requires { in_a_line(*done[told]); }) {
+          std::fputs(in_a_line(*done[told]).c_str(), stdout);
+          std::fflush(stdout);
+        }
+      }
     }
   };
   if (jobs <= 1) {

@@ -98,7 +98,7 @@ class Tuning {
     const auto one = [&](std::size_t i, const CpuClock&) {
       return drive_episode(suite, first + i, arguments_.planner, options);
     };
-    drives = run_in_order(count, arguments_.jobs, one, [](const TuneDrive&) {});
+    drives = run_in_order(count, arguments_.jobs, one);
     nlohmann::json kept = {{"set", set}, {"drives", nlohmann::json::array()}};
     for (const TuneDrive& d : drives)
       kept["drives"].push_back({{"success", d.success}, {"time_s", d.time}, {"limit_s", d.limit}});
