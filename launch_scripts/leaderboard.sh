@@ -17,13 +17,18 @@ jobs=(--jobs "${BANDWAGON_JOBS:-2}")
 mkdir -p "$folder" && cd "$folder"
 
 part() { echo $((($1 * share + 99) / 100)); }
+failed=0
 make() { # make NAME COMMAND...: once; what was interrupted has another name
   local name=$1
   shift
   [[ ! -f $name.json ]] || return 0
   local TIMEFORMAT="$name %U + %S s"
-  { time "$lab" "$@" --json "$name.part" >"$name.log" 2>&1; } 2>>cpu.txt
-  mv "$name.part" "$name.json"
+  if { time "$lab" "$@" --json "$name.part" >"$name.log" 2>&1; } 2>>cpu.txt; then
+    mv "$name.part" "$name.json"
+  else
+    failed=1
+    echo "$name: $(tail -n 1 "$name.log")" >&2
+  fi
 }
 all_suites() { # all_suites PLANNER
   local name=$1 planner=${1%_tuned} set=() many=100 most=100 scene suite
@@ -37,7 +42,7 @@ all_suites() { # all_suites PLANNER
   whole() { make "$1-$name" evaluate "${@:2}" --planners "$planner" "${graph_set[@]}" --html "pages/$name" "${jobs[@]}"; }
   whole_graphs() { # by their own senses
     whole hallway "$root/config/suites/hallway.yaml" --seeds "1..$(part 50)"
-    [[ ! -d $data/barn_worlds ]] || make "barn-$name" bench course --worlds "$data/barn_worlds" --generate "$(part 90)" --first-seed 2001 --planner "$planner" "${graph_set[@]}"
+    [[ ! -d $data/barn_worlds ]] || make "barn-$name" bench course --graph "$root/config/graphs/course.yaml" --worlds "$data/barn_worlds" --generate "$(part 90)" --first-seed 2001 --planner "$planner" "${graph_set[@]}"
     if [[ -d $data/eth_ucy_pedestrians ]]; then
       local delays=(0.6 0.8 1.0 1.2 1.4) IFS=,
       delays=("${delays[@]:0:$(part 5)}")
@@ -60,3 +65,4 @@ for name in "${planners[@]}"; do all_suites "$name"; done
 files=()
 for file in *-*.json; do files+=("$([[ $file != *_tuned.json ]] || echo tuned:)$file"); done
 "$lab" leaderboard "${files[@]}" -o index.html --json leaderboard.json
+exit $failed
