@@ -2,7 +2,7 @@
 # leaderboard.sh FOLDER [PER_CENT [PLANNER...]]: all suites by all planners, a file each in FOLDER, and their page, FOLDER/index.html.
 #
 # What is there is not driven again, so that the same command goes on, and others add to it. PER_CENT of the drives (100). mppi_tuned is mppi with
-# config/planners/mppi_tuned.txt. FOLDER/cpu.txt: CPU of each file; how long all takes: components/lab/leaderboard/README.md.
+# config/planners/mppi_tuned.txt, and so are others. FOLDER/cpu.txt: CPU of each file; how long all takes: components/lab/leaderboard/README.md.
 # BANDWAGON_JOBS drives at a time (2). BANDWAGON_SHARED: worlds and recorded people; their suites are left out without.
 set -euo pipefail
 
