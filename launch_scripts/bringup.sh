@@ -81,16 +81,16 @@ if ! "$program" doctor --graph "$graph" "${settings[@]}"; then
     "  $root/config/udev/99-bandwagon.rules"
 fi
 
-export BANDWAGON_LOG_DIR=${BANDWAGON_LOG_DIR:-$root/run/robot-$(date +%Y%m%d-%H%M%S)}
+logs=${BANDWAGON_LOG_DIR:-$root/run/robot-$(date +%Y%m%d-%H%M%S)}
 stopped=false
 stop() {
   $stopped && return
   stopped=true
   echo "Bringing the robot to rest ..."
-  # The script passes it on to each of its processes by id; they stop the robot before they end.
+  # It passes it on to each of its processes by id; they stop the robot before they end.
   kill -TERM "$processes" 2>/dev/null || true
 }
-"$root/launch_scripts/split.sh" "$graph" "${settings[@]}" --stay "${page[@]}" "${options[@]}" &
+"$program" launch "$graph" --logs "$logs" "${settings[@]}" --stay "${page[@]}" "${options[@]}" &
 processes=$!
 trap stop INT TERM HUP
 
@@ -127,7 +127,7 @@ while :; do
     printf 'Not up after %s s:\n%s\n' "${BANDWAGON_BRINGUP_SECONDS:-60}" "$what" >&2
     stop
     finish || true
-    refuse 1 "Logs: $BANDWAGON_LOG_DIR"
+    refuse 1 "Logs: $logs"
   fi
 done
 
@@ -135,7 +135,7 @@ if ! $stopped && kill -0 "$processes" 2>/dev/null; then
   echo "Up: base, laser and all components."
   ! $slam || echo "The map grows while it drives: by hand, or by itself: $program explore"
   [[ -n $map ]] || $slam || $emulated || echo "There is no map: drive by hand; goals need --map MAP.yaml and a first pose."
-  sed -n 's/^Page: /Page: /p' "$BANDWAGON_LOG_DIR"/viewer.* 2>/dev/null | head -n 1 || true
+  sed -n 's/^Page: /Page: /p' "$logs"/viewer.* 2>/dev/null | head -n 1 || true
   echo "Stop by Ctrl-C. By hand: $program teleop"
 fi
 status=0

@@ -48,22 +48,26 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
   _exit(127);
 }
 
+int open_log(const std::filesystem::path& path) {
+  std::filesystem::create_directories(path.parent_path());
+  const int log = open(path.c_str(), O_CREAT | O_WRONLY | O_TRUNC | O_CLOEXEC, 0644);
+  if (log < 0) throw std::runtime_error(path.string() + ": " + std::strerror(errno));
+  return log;
+}
+
 }  // namespace
 
 ChildProcess::ChildProcess(const ChildProcessOptions& options) {
-  std::filesystem::create_directories(options.log.parent_path());
-  const int log = open(options.log.c_str(), O_CREAT | O_WRONLY | O_TRUNC | O_CLOEXEC, 0644);
-  if (log < 0) throw std::runtime_error(options.log.string() + ": " + std::strerror(errno));
+  const int log = options.outputs ? options.outputs->second : open_log(options.log);
+  const int out = options.outputs ? options.outputs->first : options.keeps_output ? log : STDERR_FILENO;
   std::vector<std::string> command = options.command;
   std::vector<std::string> environment = environment_with(options.environment);
   const std::vector<char*> arguments = pointers_to(command);
   const std::vector<char*> variables = pointers_to(environment);
   const pid_t parent = getpid();
   id_ = fork();
-  if (id_ == 0)
-    become(arguments.data(), variables.data(), options.keeps_output ? log : STDERR_FILENO, log,
-           options.is_apart, parent);
-  close(log);
+  if (id_ == 0) become(arguments.data(), variables.data(), out, log, options.is_apart, parent);
+  if (!options.outputs) close(log);
   if (id_ < 0) throw std::runtime_error(command.front() + ": " + std::strerror(errno));
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <sys/types.h>
@@ -16,7 +17,9 @@ struct ChildProcessOptions {
   std::map<std::string, std::string> environment = {};  ///< over the own one
   std::filesystem::path log;  ///< what it prints on standard error; its folder is made
   bool keeps_output = true;   ///< standard output goes there too; else to the own standard error
-  bool is_apart = false;      ///< in a process group of its own: a terminal's Ctrl-C does not reach it
+  /// In place of the log: descriptors for its standard output and error.
+  std::optional<std::pair<int, int>> outputs = std::nullopt;
+  bool is_apart = false;  ///< in a process group of its own: a terminal's Ctrl-C does not reach it
 };
 
 class ChildProcess {
@@ -31,7 +34,10 @@ class ChildProcess {
 
   /// Its exit status, or 128 + the signal that ended it; nothing while it runs.
   std::optional<int> status();
+  /// The same, as it was when it was last asked.
+  [[nodiscard]] std::optional<int> known_status() const { return status_; }
   void signal(int number) const;
+  [[nodiscard]] pid_t id() const { return id_; }
 
  private:
   pid_t id_ = -1;

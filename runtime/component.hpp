@@ -27,6 +27,8 @@
 #include "runtime/base/ros_distro.hpp"
 #include "runtime/base/time.hpp"
 #include "runtime/graph/qos.hpp"
+#include "runtime/failsafe.hpp"
+#include "runtime/keepsake.hpp"
 #include "runtime/live_parameters.hpp"
 #include "runtime/logger.hpp"
 #include "runtime/parameters/list_parameters.hpp"
@@ -234,6 +236,8 @@ class Setup {
   /// in lock-step: what a run leaves decides nothing of the next one. Throws std::runtime_error where the
   /// environment names no folder.
   virtual std::filesystem::path state_file(const std::string& name) const = 0;
+  /// What the component before this one left, where its process was killed and started again. Never in lock-step.
+  virtual Keepsake keepsake(const std::string& name) const = 0;
   /// Who writes what this component hears. Valid as long as the host.
   virtual Writers& writers() = 0;
 
@@ -247,6 +251,9 @@ class Setup {
   virtual bool is_lockstep() const = 0;
   /// Lock-step: what changes something may come from outside (--accept-inputs). True on every other clock.
   virtual bool accepts_inputs() const = 0;
+  /// How long a callback of this component may take at worst, where that is more than half a second: files, searches.
+  /// A lane that takes longer is a hang, and its process is ended by who started it (host/lane_watch.hpp).
+  virtual void longest_callback(Duration time) = 0;
   /// For a component that looks at the run as other programs do: the network to join
   /// (runtime/dds/participant.hpp).
   virtual dds::Network network() const = 0;
@@ -254,6 +261,8 @@ class Setup {
   virtual RosDistro ros_distro() const = 0;
   virtual Logger log() = 0;
   virtual DiagnosticReporter& diagnostics() = 0;
+  /// A row of the failsafe table; the handle says when it is in force.
+  virtual Failsafe failsafe(FailsafeRow row) = 0;
   /// Ends the run; scripts see exit status 0 when `ok`, 1 otherwise. Callable from callbacks.
   virtual std::function<void(bool ok, const std::string& reason)> finish_run() = 0;
 

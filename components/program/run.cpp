@@ -7,36 +7,14 @@
 #include <unistd.h>
 
 #include "components/program/drive.hpp"
-#include "components/program/page_options.hpp"
-#include "components/program/record_options.hpp"
+#include "components/program/run_options.hpp"
 #include "components/program/score_card_json.hpp"
 #include "runtime/atomic_file.hpp"
-#include "runtime/cli/emulate_option.hpp"
 #include "runtime/cli/verb.hpp"
 #include "runtime/state_folder.hpp"
 
 namespace bw {
 namespace {
-
-struct RunOptions {
-  std::string graph;
-  std::string clock = "wall";
-  std::uint64_t seed = 1;
-  std::vector<std::string> set;
-  bool emulate = false;
-  std::string only;
-  double for_s = 0.0;
-  std::optional<double> pace;
-  bool stay = false;
-  std::string json;
-  std::string svg;
-  std::string html;
-  RecordOptions record;
-  PageOptions page;
-  bool progress = false;
-  bool fail_on_contact = false;
-  bool accept_inputs = false;
-};
 
 ClockMode clock_mode(const std::string& name) {
   return name == "lockstep" ? ClockMode::lockstep : name == "topic" ? ClockMode::topic : ClockMode::wall;
@@ -54,9 +32,7 @@ bool is_success(const RunOptions& options, const DriveResult& result) {
 }
 
 int run(const RunOptions& options) {
-  Graph graph = load_graph(options.graph, with_emulation(options.set, options.emulate));
-  options.record.apply_to(graph.snapshot);
-  options.page.apply_to(graph);
+  Graph graph = options.load();
   const DriveResult result =
       drive(std::move(graph),
             {.host = {.clock = clock_mode(options.clock),
@@ -82,37 +58,10 @@ int run(const RunOptions& options) {
   return is_success(options, result) ? 0 : 1;
 }
 
-void add_options(cli::Verb verb, const std::shared_ptr<RunOptions>& options) {
-  verb.option("--clock", options->clock,
-              "wall, lockstep (virtual time, repeatable) or topic (/clock from outside)")
-      .one_of({"wall", "lockstep", "topic"});
-  verb.option("--seed", options->seed, "Of everything random");
-  verb.option("--set", options->set, "component.param=value, as often as needed").one_each_time();
-  verb.flag("--emulate", options->emulate, kEmulateHelp);
-  verb.option("--only", options->only, "Only this process of the graph");
-  verb.option("--for", options->for_s, "Ends after so many seconds of the component clock").positive();
-  verb.option("--pace", options->pace,
-              "Lock-step: virtual seconds per real second; 0 as fast as possible (default; with --stay 1)")
-      .not_negative();
-  verb.flag("--stay", options->stay,
-            "Goes on for further goals when one is decided, until --for is over or Ctrl-C");
-  verb.flag(
-      "--accept-inputs", options->accept_inputs,
-      "Lock-step: goals, parameters, transitions and commands of other programs enter the run and its record");
-  verb.option("--json", options->json, "Writes the score card here");
-  verb.option("--svg", options->svg, "Writes a picture of the run here");
-  verb.option("--html", options->html,
-              "Writes one page here that plays the drive: a file that needs no server");
-  options->record.add_to(verb);
-  options->page.add_to(verb);
-  verb.flag("--progress", options->progress, "Progress line even when stderr is no terminal");
-  verb.flag("--fail-on-contact", options->fail_on_contact, "Exit status 1 after any contact");
-}
-
 void add_run(cli::Verb verb) {
   auto options = std::make_shared<RunOptions>();
   verb.option("GRAPH", options->graph, "Graph file, or the name of one (`bandwagon graphs`)").required();
-  add_options(verb, options);
+  add_run_options(verb, options);
   verb.run([options] { return run(*options); });
 }
 
@@ -120,7 +69,8 @@ void add_run(cli::Verb verb) {
 int run_demo(RunOptions options, const std::filesystem::path& folder, bool has_page) {
   std::error_code fault;
   std::filesystem::create_directories(folder, fault);
-  if (fault) throw std::runtime_error(folder.string() + ": " + fault.message() + "; --out FOLDER writes elsewhere");
+  if (fault)
+    throw std::runtime_error(folder.string() + ": " + fault.message() + "; --out FOLDER writes elsewhere");
   const auto file = [&folder](const char* name) { return (folder / name).string(); };
   const auto set = [](std::string& option, const std::string& value) {
     if (option.empty()) option = value;
@@ -154,7 +104,7 @@ void add_demo(cli::Verb verb) {
   auto no_page = std::make_shared<bool>(false);
   verb.option("--out", *folder, "Folder for what it writes (~/.local/state/bandwagon/demo)");
   verb.flag("--no-page", *no_page, "Serves no page");
-  add_options(verb, options);
+  add_run_options(verb, options);
   verb.run(
       [=] { return run_demo(*options, folder->empty() ? state_folder() / "demo" : *folder, !*no_page); });
 }

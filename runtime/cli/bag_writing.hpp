@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "runtime/cli/verb.hpp"
 #include "runtime/recording/bag/bag_writer.hpp"
@@ -9,6 +10,9 @@
 namespace bw::cli {
 
 struct BagWriting {
+  static constexpr std::string_view kOptions[] = {"--split-size", "--split-duration", "--max-size",
+                                                  "--compression"};
+
   std::string split_size;
   std::string split_duration;
   std::string max_size;

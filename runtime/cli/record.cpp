@@ -16,6 +16,7 @@
 #include "runtime/cli/signals.hpp"
 #include "runtime/cli/terminal.hpp"
 #include "runtime/cli/verb.hpp"
+#include "runtime/host/service_manager.hpp"
 #include "runtime/recording/record/wire_recorder.hpp"
 
 namespace bw::cli {
@@ -63,6 +64,8 @@ int run_record(const RecordOptions& options) {
             .use_sim_time = options.use_sim_time,
             .recorder = {.writer = options.writing.options(out),
                          .queue_size = size_option("--max-cache-size", options.cache_size, 1'000'000)}});
+  const ServiceManager manager;
+  manager.ready("recording to " + out.string());
   const auto start = steady_clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(steady_clock::now() - start).count(); };
   {
@@ -70,12 +73,14 @@ int run_record(const RecordOptions& options) {
     line.show("recording to " + out.string() + ", Ctrl-C ends it");
     while (!interrupted() && (options.for_s <= 0.0 || seconds() < options.for_s)) {
       std::this_thread::sleep_for(100ms);
+      manager.alive();
       const record::WireRecorderStatus status = recorder.status();
       line.show(in_words(status, seconds()));
       if (!status.bag.error.empty()) break;
     }
   }
   const double recorded_s = seconds();
+  manager.stopping("closing " + out.string(), true);
   recorder.close();
   const record::WireRecorderStatus status = recorder.status();
   std::cout << fmt::format("{}: {}\n", out.string(), in_words(status, recorded_s));

@@ -116,7 +116,26 @@ Verb Verb::verb(const std::string& name, const std::string& help) {
 }
 
 void Verb::set_action(std::function<int()> action) {
-  app_->callback([app = app_, action] { Program::of(*app).status = action(); });
+  app_->callback([app = app_, action] {
+    if (app->get_subcommands().empty()) Program::of(*app).status = action();
+  });
+}
+
+void Verb::stands_alone_too() { app_->require_subcommand(0, 1); }
+
+std::vector<std::pair<std::string, std::string>> Verb::given() const {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const CLI::Option* option : app_->get_options()) {
+    if (option->get_positional() || option->get_lnames().empty()) continue;
+    const std::string name = "--" + option->get_lnames().front();
+    const bool is_flag = option->get_items_expected_max() == 0;
+    for (const std::string& value : option->results()) {
+      const bool stands_alone =
+          is_flag && (value == "true" || value == option->get_flag_value(name.substr(2), ""));
+      all.emplace_back(name, stands_alone ? name : name + "=" + value);
+    }
+  }
+  return all;
 }
 
 void Verb::alias(const std::string& name) { app_->alias(name); }

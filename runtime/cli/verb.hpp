@@ -91,6 +91,8 @@ class Verb {
 
   /// A verb behind this one; then one of those has to be given.
   Verb verb(const std::string& name, const std::string& help);
+  /// It may be given without any of those.
+  void stands_alone_too();
   /// What it does; returns the exit status, or nothing for 0.
   template <class Action>
   void run(Action action) {
@@ -105,6 +107,8 @@ class Verb {
   }
   /// Whether the option was given.
   bool has(const std::string& name) const;
+  /// The options that were given, by name, each with the word that gives it again: --set, --set=people.enabled=false.
+  std::vector<std::pair<std::string, std::string>> given() const;
   /// Another name for it.
   void alias(const std::string& name);
 

@@ -20,6 +20,16 @@ void Input::keep(const dds::Sample& sample, bool is_given) {
     kept.erase(std::ranges::find_if(kept, is_same_writer));
 }
 
+// One that was killed counts as there for seconds, but says nothing: who takes its place is obeyed once its last command
+// is old.
+bool Input::has_rival(const dds::Guid& writer, Time now) {
+  constexpr Duration kForgotten = Duration::milliseconds(1000);
+  if (last_heard && last_heard->writer != writer) rival = last_heard;
+  last_heard = Heard{writer, now};
+  if (rival) rival->at = std::min(rival->at, now);  // a clock that went back
+  return rival && rival->writer != writer && now - rival->at < kForgotten && reader->matched_writers() > 1;
+}
+
 bool Input::take_one(Time now, std::optional<Duration> waited) { return actor->deliver(*this, now, waited); }
 
 Health Actor::health(Time now) const {
@@ -63,7 +73,7 @@ void Actor::see(Time now) {
 bool Actor::deliver(Input& input, Time now, std::optional<Duration> waited) {
   if (!input.reader->take(sample_)) return false;
   // Two who command: nobody is obeyed, and what moves stops because its commands are too old.
-  if (!input.commander.empty() && input.reader->matched_writers() > 1) return true;
+  if (!input.commander.empty() && input.has_rival(sample_.writer, now)) return true;
   const bool is_heard = input.of_node || is_active();
   if (role == ActorRole::component && !input.of_node && input.qos.durability == Durability::transient_local)
     input.keep(sample_, is_heard);

@@ -62,6 +62,14 @@ class Input final : public InputEndpoint {
   };
   std::deque<Kept> kept;  ///< as many of each writer as the topic keeps
   void keep(const dds::Sample& sample, bool is_given);
+
+  /// Of a command: another writer than this one has commanded within the last second, and is there still.
+  bool has_rival(const dds::Guid& writer, Time now);
+  struct Heard {
+    dds::Guid writer{};
+    Time at;
+  };
+  std::optional<Heard> last_heard, rival;
   std::uint64_t calls = 0;
   CallbackStatistics statistics;
 };
@@ -123,6 +131,7 @@ struct Actor final : DiagnosticReporter {
   bool is_real_time = false;  ///< its lane comes before others
   std::size_t rank = 0;
   Duration latency;
+  Duration longest_callback;                        ///< by its own word; zero: short
   const class WriterClock* writer_clock = nullptr;  ///< null: there is one clock
   class CommandedMotion* motion = nullptr;          ///< sees the commands that it obeys; null: nobody does
   std::shared_ptr<void> part;  ///< of the component, and outlives its instances; null: it has none
@@ -134,6 +143,11 @@ struct Actor final : DiagnosticReporter {
   std::vector<std::unique_ptr<ServiceEnd>> services;
   std::vector<std::unique_ptr<ActionEnd>> actions;
   std::vector<std::unique_ptr<ClientEnd>> clients;
+  struct DeclaredFailsafe {
+    FailsafeRow row;
+    std::atomic<bool> in_force = false;
+  };
+  std::deque<DeclaredFailsafe> failsafes;  ///< a deque: handles point into it
   ParameterReport parameters;
   std::map<std::string, ParameterReport> shared_parameters;  ///< by section, as it read them
   LiveParameters live_parameters;

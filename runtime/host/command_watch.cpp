@@ -59,9 +59,10 @@ std::vector<CommandWatch::News> CommandWatch::look(const std::vector<dds::Endpoi
     if (owners > 1 && watched.owners <= 1) {
       news.push_back(
           {LogLevel::error,
-           fmt::format("nobody is obeyed on {}: {} publishers are {}; the graph runs twice on this "
-                       "domain, or was killed and started again a moment ago",
-                       topic.topic, owners, topic.owner)});
+           fmt::format(
+               "nobody is obeyed on {} while two command: {} publishers are {}; the graph runs twice on "
+               "this domain, or was killed and started again a moment ago",
+               topic.topic, owners, topic.owner)});
     } else if (owners <= 1 && watched.owners > 1) {
       news.push_back({LogLevel::info, fmt::format("{} has one publisher again", topic.topic)});
     }
@@ -108,7 +109,8 @@ std::map<std::string, CommandWatch::State> CommandWatch::states() const {
     }
     State& state = states[watched.topic.topic];
     if (watched.owners > 1) {
-      state = {LogLevel::error, fmt::format("nobody is obeyed: {} publishers are {}", watched.owners, owner)};
+      state = {LogLevel::error, fmt::format("nobody is obeyed while two command: {} publishers are {}",
+                                            watched.owners, owner)};
     } else if (!names.empty()) {
       state = {LogLevel::warn, fmt::format("{}: {}", owner.empty() ? "not heard" : "refused", listed(names))};
     } else {

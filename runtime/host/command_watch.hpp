@@ -34,7 +34,7 @@ class CommandWatch {
   };
   /// What is known of one topic, for the diagnostics.
   struct State {
-    LogLevel level = LogLevel::info;  ///< warn: somebody is refused; error: two owners, nobody is obeyed
+    LogLevel level = LogLevel::info;  ///< warn: somebody is refused; error: two owners
     std::string text;
   };
   using NodeOf = std::function<std::string(const dds::Guid&)>;  ///< empty: not named yet

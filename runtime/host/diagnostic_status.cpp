@@ -82,6 +82,9 @@ DiagnosticStatus DiagnosticStatuses::of(const Actor& actor, Time now) {
     return status;
   }
   for (const auto& [key, value] : actor.diagnostic_values) add_value(status, key, value);
+  for (const Actor::DeclaredFailsafe& failsafe : actor.failsafes) {
+    if (failsafe.in_force) add_value(status, "failsafe " + failsafe.row.name, text_of(failsafe.row.action));
+  }
   for (const std::string& input : actor.stale_inputs(now)) {
     add_value(status, input, "stale");
     status.level(static_cast<std::uint8_t>(DiagnosticReporter::Level::error));

@@ -234,9 +234,14 @@ RunEnd Host::run(std::optional<Duration> duration) {
   announce_nodes();
   const std::vector<Actor*> order = bring_up_order();
   std::optional<RunEnd> failure = bring_up(order);
+  if (const std::string before = ServiceManager::predecessor();
+      !before.empty() && options_.clock != ClockMode::lockstep) {
+    log(*local_.front(), LogLevel::warn, "started again; the process before it " + before);
+    local_.front()->set_value("process before", before);
+  }
   if (!failure) service_manager_.ready(fmt::format("{} nodes are up", order.size()));
   RunEnd end = failure ? *failure : runner_->run(duration);
-  service_manager_.stopping(end.reason);
+  service_manager_.stopping(end.reason, !failure && !end.has_thrown);
   // A run in lock-step may be ended by a person, who is to decide nothing of its bytes.
   if (options_.clock != ClockMode::lockstep)
     log(*local_.front(), end.ok ? LogLevel::info : LogLevel::error, "the run ends: " + end.reason);
@@ -284,6 +289,25 @@ std::vector<std::pair<std::string, ParameterReport>> Host::parameters() const {
   std::vector<std::pair<std::string, ParameterReport>> all;
   for (const auto& actor : actors_) {
     if (actor->is_in_graph()) all.emplace_back(actor->name, actor->parameters);
+  }
+  return all;
+}
+
+std::vector<std::pair<std::string, FailsafeRow>> Host::failsafes() const {
+  std::vector<std::pair<std::string, FailsafeRow>> all;
+  for (const auto& actor : actors_) {
+    for (const Actor::DeclaredFailsafe& failsafe : actor->failsafes)
+      all.emplace_back(actor->name, failsafe.row);
+    for (const Input* input : actor->watched) {
+      if (input->on_stale == OnStale::ignore) continue;
+      const bool stops = input->on_stale == OnStale::stop;
+      all.push_back({actor->name,
+                     {.name = input->name,
+                      .condition = input->topic + " is silent",
+                      .debounce = *input->max_age,
+                      .action = stops ? FailsafeAction::stop : FailsafeAction::slow,
+                      .recovery = "by itself, with the next message"}});
+    }
   }
   return all;
 }

@@ -77,6 +77,8 @@ class Host {
   std::vector<std::pair<std::string, ParameterReport>> parameters() const;
   /// The sections that components share, by name, as the first that read each saw it.
   std::map<std::string, ParameterReport> shared_parameters() const;
+  /// The failsafe table: what components declared, and the inputs that may not be older than the graph says; by component.
+  std::vector<std::pair<std::string, FailsafeRow>> failsafes() const;
   /// Of this process's callbacks, after the run.
   std::vector<CallbackStatistics> statistics() const;
   /// Lock-step only, else empty.

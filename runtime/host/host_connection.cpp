@@ -58,7 +58,7 @@ void Host::make_runner() {
                                 .outside = outside_.get()});
   } else {
     runner_ = std::make_unique<WallRunner>(
-        local_, *clock_,
+        local_, *clock_, service_manager_,
         [this](const Actor& actor, const std::string& text) { log(actor, LogLevel::warn, text); });
   }
   if (early_end_) runner_->finish(*early_end_, {});  // nothing has moved yet

@@ -1,6 +1,7 @@
 #include "runtime/host/host_setup.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <stdexcept>
 #include <utility>
 
@@ -59,6 +60,25 @@ std::filesystem::path HostSetup::state_file(const std::string& name) const {
   const std::string node =
       full_name({.node_namespace = actor_.node_namespace, .name = actor_.node_name}).substr(1);
   return state_folder() / ("domain_" + std::to_string(network().domain_id)) / node / name;
+}
+
+/// An instance that is configured anew has the rows that the one before it had.
+Failsafe HostSetup::failsafe(FailsafeRow row) {
+  const auto known = std::ranges::find(actor_.failsafes, row.name,
+                                       [](const Actor::DeclaredFailsafe& f) { return f.row.name; });
+  Actor::DeclaredFailsafe& declared =
+      known != actor_.failsafes.end() ? *known : actor_.failsafes.emplace_back();
+  const std::lock_guard lock(actor_.mutex);
+  declared.row = std::move(row);
+  declared.in_force = false;
+  return Failsafe(&declared.in_force);
+}
+
+Keepsake HostSetup::keepsake(const std::string& name) const {
+  const char* folder = std::getenv("RUNTIME_DIRECTORY");
+  if (is_lockstep() || folder == nullptr || *folder != '/') return {};
+  const std::string node = full_name({.node_namespace = actor_.node_namespace, .name = actor_.node_name});
+  return Keepsake(std::string(folder) + node + "." + name, rebinding_ == nullptr);
 }
 
 Writers& HostSetup::writers() { return *host_.writers_; }

@@ -26,12 +26,15 @@ class HostSetup final : public Setup {
   std::uint64_t seed() const override;
   bool is_lockstep() const override;
   bool accepts_inputs() const override;
+  void longest_callback(Duration time) override { actor_.longest_callback = time; }
   dds::Network network() const override;
   std::filesystem::path state_file(const std::string& name) const override;
+  Keepsake keepsake(const std::string& name) const override;
   Writers& writers() override;
   RosDistro ros_distro() const override;
   Logger log() override;
   DiagnosticReporter& diagnostics() override { return actor_; }
+  Failsafe failsafe(FailsafeRow row) override;
   std::function<void(bool, const std::string&)> finish_run() override;
 
  protected:

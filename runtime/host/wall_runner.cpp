@@ -11,8 +11,9 @@
 
 namespace bw {
 
-WallRunner::WallRunner(std::vector<Actor*> actors, ComponentClock& clock, Warn warn)
-    : actors_(std::move(actors)), clock_(clock), warn_(std::move(warn)) {
+WallRunner::WallRunner(std::vector<Actor*> actors, ComponentClock& clock, const ServiceManager& manager,
+                       Warn warn)
+    : actors_(std::move(actors)), clock_(clock), watch_(manager), warn_(std::move(warn)) {
   for (Actor* actor : actors_) {
     auto& lane = lanes_[actor->lane];
     if (!lane) {
@@ -20,6 +21,7 @@ WallRunner::WallRunner(std::vector<Actor*> actors, ComponentClock& clock, Warn w
       lane->name = actor->lane;
     }
     lane_of_[actor] = lane.get();
+    lane->longest_callback = std::max(lane->longest_callback, actor->longest_callback);
     actor->motion = &motion_;
     if (actor->is_real_time && lane->real_time == nullptr) lane->real_time = actor;
     for (const auto& timer : actor->timers) lane->timers.push_back(timer.get());
@@ -145,6 +147,8 @@ void WallRunner::come_to_rest(Duration longest) {
 
 /// The system may have no more threads: everybody who is active has to come to rest then too.
 void WallRunner::start_lanes() {
+  for (const auto& [name, lane] : lanes_)
+    lane->watched = &watch_.add(name, lane->longest_callback, steady_time());
   for (const auto& [name, lane] : lanes_) {
     try {
       lane->thread = std::thread([this, worker = lane.get()] { work(*worker); });
@@ -166,6 +170,7 @@ void WallRunner::work(Lane& lane) {
   if (lane.real_time != nullptr) become_real_time(*lane.real_time);
   std::unique_lock lock(lane.mutex);
   while (!lane.stop) {
+    watch_.pass(*lane.watched, steady_time());
     // Timers first, but each once only: a late timer is moved past now, so it cannot starve the queue.
     for (Timer* timer : lane.timers) fire_if_due(lane, *timer, lock);
     if (lane.stop) return;  // asked while a timer ran: nobody would wake it again
@@ -226,12 +231,14 @@ void WallRunner::wait(Lane& lane, std::unique_lock<std::mutex>& lock) {
   for (const Timer* timer : lane.timers) {
     if (timer->next != Timer::kNever) next = next ? std::min(*next, timer->next) : timer->next;
   }
-  const std::optional<Duration> sleep = next ? clock_.real_time_until(*next) : std::nullopt;
-  if (!sleep) {
-    // Without timers, or with a clock that wakes us by itself.
-    if (!next || clock_.now() < *next) lane.wake.wait(lock);
-  } else if (*sleep > Duration{}) {
+  std::optional<Duration> sleep = next ? clock_.real_time_until(*next) : std::nullopt;
+  if (sleep ? *sleep <= Duration{} : next && clock_.now() >= *next) return;
+  if (watch_.period() != LaneWatch::kForever)
+    sleep = std::min(sleep.value_or(watch_.period()), watch_.period());
+  if (sleep) {
     lane.wake.wait_for(lock, std::chrono::nanoseconds(sleep->nanoseconds));
+  } else {
+    lane.wake.wait(lock);  // without timers, or with a clock that wakes us by itself
   }
 }
 

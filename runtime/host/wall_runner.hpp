@@ -11,6 +11,7 @@
 
 #include "runtime/host/commanded_motion.hpp"
 #include "runtime/host/component_clock.hpp"
+#include "runtime/host/lane_watch.hpp"
 #include "runtime/host/runner.hpp"
 
 namespace bw {
@@ -19,7 +20,8 @@ class WallRunner final : public Runner {
  public:
   /// Says of an actor on a real-time lane what the system did not allow; called on that lane.
   using Warn = std::function<void(const Actor& actor, const std::string& text)>;
-  WallRunner(std::vector<Actor*> actors, ComponentClock& clock, Warn warn = {});
+  WallRunner(std::vector<Actor*> actors, ComponentClock& clock, const ServiceManager& manager,
+             Warn warn = {});
   ~WallRunner() override;
 
   Time now() const override { return clock_.now(); }
@@ -39,6 +41,8 @@ class WallRunner final : public Runner {
     std::deque<InputEndpoint*> queue;
     std::vector<Timer*> timers;
     bool stop = false;
+    Duration longest_callback;
+    LaneWatch::Lane* watched = nullptr;
     const Actor* real_time = nullptr;  ///< who wants it; null: nobody
     std::thread thread;
   };
@@ -57,6 +61,7 @@ class WallRunner final : public Runner {
 
   std::vector<Actor*> actors_;
   ComponentClock& clock_;
+  LaneWatch watch_;
   Warn warn_;
   std::map<std::string, std::unique_ptr<Lane>> lanes_;
   std::map<const Actor*, Lane*> lane_of_;

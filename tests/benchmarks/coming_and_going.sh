@@ -38,8 +38,7 @@ leave() { # WORDS DRIVEN_S COMMAND...
   done | sort -n >"$folder/times"
   echo "$words: SIGINT to exit median $(sed -n "$(((leavings + 1) / 2))p" "$folder/times") ms, at most $(tail -1 "$folder/times") ms"
 }
-export BANDWAGON_PROGRAM=$program
 leave alone 6 "$program" run "$graph" --stay
 leave page 6 "$program" run "$graph" --stay --page --set viewer.port=0
 leave record 6 "$program" run "$graph" --stay --record @
-BANDWAGON_LOG_DIR=$folder/logs leave split 8 "$root/launch_scripts/split.sh" "$graph" --stay
+leave split 8 "$program" launch "$graph" --logs "$folder/logs" --stay

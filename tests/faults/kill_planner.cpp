@@ -1,5 +1,5 @@
 // Measures what happens after SIGKILL of the planning process at top speed: three processes on the wall
-// clock, as launch_scripts/split.sh starts them. Prints, per trial, the time from the last command to the
+// clock, as `bandwagon launch` starts them. Prints, per trial, the time from the last command to the
 // first deceleration and to standstill. A measurement, not a test: the same contract is asserted in virtual
 // time by command_loss_test.cpp.
 //   kill_planner [TRIALS]

@@ -116,6 +116,17 @@ TEST_F(CommandLine, NodeListNamesEveryComponent) {
                 "\n/lifecycle_manager_navigation\n/map_server\n/motor_control\n/robot_base\n/world\n");
 }
 
+// A row of each kind: a cause of the base's, the age of a graph's input, a laser that says nothing.
+TEST(Failsafes, AreATableOfWhatStopsTheRobot) {
+  const Outcome table = run_to_end({BANDWAGON_PROGRAM, "failsafes", "robot"}, std::chrono::seconds(30));
+  ASSERT_EQ(table.status, 0) << table.err;
+  for (const char* row :
+       {"robot_base +bumper +at once +stop, latched +a bumper touches something; by release_stop\n",
+        "local_planner +odom +0.5 s +stop +/odom is silent; by itself, with the next message\n",
+        "collision_monitor +laser_silent +0.25 s +stop +scan is silent; by itself"})
+    EXPECT_THAT(table.out, testing::ContainsRegex(row));
+}
+
 TEST_F(CommandLine, ParamListTellsDefaultsAndWhatTheGraphSets) {
   const Outcome list =
       bandwagon({"param", "list", std::string(BANDWAGON_SOURCE_DIR) + "/config/graphs/hallway.yaml",

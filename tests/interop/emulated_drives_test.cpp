@@ -51,13 +51,12 @@ nlohmann::json card_of(const Drive& drive) {
   std::vector<std::string> command = {BANDWAGON_PROGRAM, "run", kGraph};
   std::filesystem::path card = folder / "card.json";
   if (drive.how == "three processes") {
-    command = {kSource + "/launch_scripts/split.sh", kGraph};
+    command = {BANDWAGON_PROGRAM, "launch", kGraph, "--logs", folder / ""};
     card = folder / "rest.json";
   }
   for (const std::string& argument : arguments(drive)) command.push_back(argument);
   if (drive.how != "three processes") command.insert(command.end(), {"--json", card.string()});
-  const Outcome outcome =
-      run_to_end(command, std::chrono::seconds(280), {{"BANDWAGON_LOG_DIR", (folder / "").string()}});
+  const Outcome outcome = run_to_end(command, std::chrono::seconds(280));
   std::ifstream file(card);
   if (!file)
     ADD_FAILURE() << drive.robot << ", " << drive.how << ", seed " << drive.seed << ":\n" << outcome.err;

@@ -78,5 +78,54 @@ TEST(Diagnostics, TellPlaceAgesAndRates) {
                               {"a", "stale"}}));
 }
 
+// One that a component declares, in force from 1.5 s to 2.5 s, and one by its input's age: in the table both, among the values
+// while it acts.
+TEST(Diagnostics, TellWhichFailsafesAreInForce) {
+  Graph graph;
+  graph.components.push_back(scripted({.name = "source"}, [](bw::Setup& setup) {
+    setup.every(Duration::milliseconds(100), "tick",
+                [out = setup.output<Float64>("a")](const Tick&) mutable { out.publish({}); });
+  }));
+  graph.components.push_back(
+      scripted({.name = "worker",
+                .inputs = {{.name = "a", .max_age = Duration::milliseconds(800), .on_stale = OnStale::stop}}},
+               [](bw::Setup& setup) {
+                 setup.input<Float64>("a", Qos::standard(), [](const Float64&, const Tick&) {});
+                 const Failsafe cold = setup.failsafe({.name = "cold",
+                                                       .condition = "it freezes",
+                                                       .debounce = Duration::milliseconds(500),
+                                                       .action = FailsafeAction::slow,
+                                                       .recovery = "by itself, in spring"});
+                 setup.every(Duration::milliseconds(500), "look", [cold](const Tick& tick) {
+                   const double t = (tick.now - LockstepRunner::kStart).to_seconds();
+                   cold.set(t > 1.4 && t < 2.4);
+                 });
+               }));
+  std::map<int, bool> in_force;
+  graph.components.push_back(scripted({.name = "observer"}, [&](bw::Setup& setup) {
+    setup.input<DiagnosticArray>(
+        "/diagnostics", Qos::standard(),
+        [&](const DiagnosticArray& message, const Tick&) {
+          const double t = (from_stamp(message.header().stamp()) - LockstepRunner::kStart).to_seconds();
+          for (const auto& status : message.status()) {
+            for (const auto& pair : status.values()) {
+              if (pair.key() == "failsafe cold")
+                in_force[static_cast<int>(t + 1e-6)] = pair.value() == "slow";
+            }
+          }
+        },
+        Need::optional);
+  }));
+  Host host(graph, {.clock = ClockMode::lockstep});
+  const auto table = host.failsafes();
+  ASSERT_EQ(table.size(), 2U);
+  EXPECT_EQ(table[0].second.name, "cold");
+  EXPECT_EQ(table[1].second.name, "a");
+  EXPECT_EQ(table[1].second.debounce, Duration::milliseconds(800));
+  EXPECT_EQ(table[1].second.action, FailsafeAction::stop);
+  host.run(Duration::seconds(3.5));
+  EXPECT_EQ(in_force, (std::map<int, bool>{{2, true}}));
+}
+
 }  // namespace
 }  // namespace bw

@@ -52,6 +52,7 @@ class ExploreComponent final : public Component {
   explicit ExploreComponent(bool return_to_init = true) : explorer_(return_to_init) {}
 
   void configure(Setup& setup) override {
+    setup.longest_callback(Duration::milliseconds(5'000));  // a large map
     log_ = setup.log();
     diagnostics_ = &setup.diagnostics();
     footprint_.listen(setup, setup.shared<Robot>("robot"));

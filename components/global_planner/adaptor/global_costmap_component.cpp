@@ -33,6 +33,7 @@ class GlobalCostmapComponent final : public Component {
         {"publish_frequency", "clearance_range", "clearance_weight", "unknown_is_obstacle"});
     footprint_.offer(setup, setup.shared<Robot>("robot"), parameters_.footprint,
                      [this](const Footprint&) { has_new_footprint_ = true; });
+    setup.longest_callback(Duration::milliseconds(5'000));  // a large map
     log_ = setup.log();
     base_frame_ = setup.frame("base_link");
     transforms_ = setup.transforms();

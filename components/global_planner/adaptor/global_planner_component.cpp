@@ -16,6 +16,7 @@ namespace bw {
 class GlobalPlannerComponent final : public Component {
  public:
   void configure(Setup& setup) override {
+    setup.longest_callback(Duration::milliseconds(5'000));  // a large map
     planner_.configure(setup);
     result_ = setup.output<bandwagon_msgs::msg::PlanResult>("plan_result");
     plan_ = setup.output<nav_msgs::msg::Path>("plan");

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "components/local_planner/adaptor/follow_messages.hpp"
+#include "components/local_planner/adaptor/planner_process.hpp"
 #include "components/local_planner/back_off.hpp"
 #include "components/local_planner/command_limits.hpp"
 #include "components/messages/geometry.hpp"
@@ -30,6 +31,8 @@ void LocalPlannerComponent::configure(Setup& setup) {
        "enable_stamped_cmd_vel"});
   robot_ = setup.shared<Robot>("robot");
   planner_ = make_planner(parameters_.algorithm, parameters_.planners);
+  if (is_planner_program(parameters_.algorithm))
+    setup.longest_callback(Duration{std::chrono::nanoseconds(PlannerPatience{}.first).count()});
   period_ = 1.0 / parameters_.controller_frequency;
   threads_ = thread_count(parameters_.threads, setup.is_lockstep());
   watch_.emplace(period_, parameters_.max_cycle_time > 0.0 ? parameters_.max_cycle_time : 0.5 * period_,

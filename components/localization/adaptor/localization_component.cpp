@@ -27,10 +27,13 @@ void LocalizationComponent::configure(Setup& setup) {
       {"algorithm", "set_initial_pose", "start_anywhere", "sensors.gyro", "sensors.compass", "sensors.gps",
        "sensors.course", "sensors.laser", "sensors.ranges", "sensors.poses", "datum", "ekf",
        "particle_filter"});
+  setup.longest_callback(Duration::milliseconds(5'000));  // the whole map is searched
   inputs_.configure(setup, parameters_);
   const Robot& robot = setup.shared<Robot>("robot");
   wheels_ = {inputs_.wheels(), robot.wheel_separation, parameters_.sensors.wheel_noise,
              robot.metres_per_tick(robot.wheel_radius)};
+  keepsake_ = setup.keepsake("pose");
+  left_ = kept_pose(keepsake_.left());
   filter_ = make_localizer(parameters_.algorithm, parameters_.filters, setup.seed(), inputs_.names().count());
   map_frame_ = setup.frame("map");
   odom_frame_ = setup.frame("odom");
@@ -66,7 +69,7 @@ void LocalizationComponent::listen(Setup& setup) {
 void LocalizationComponent::activate(const Tick& tick) {
   const InitialPoseParameters& pose = parameters_.initial_pose;
   // Active again after a pause it knows better where it is.
-  if (parameters_.set_initial_pose && !filter_->initialised())
+  if (parameters_.set_initial_pose && !filter_->initialised() && !left_)
     start_at({pose.x, pose.y, pose.yaw}, usual_covariance(pose), tick.now);
 }
 
@@ -75,6 +78,7 @@ void LocalizationComponent::on_odometry(const nav_msgs::msg::Odometry& message, 
   const Pose2 X_OB = from_pose(message.pose().pose());
   if (!is_finite(X_OB)) return;
   inputs_.set_twist(from_twist(message.twist().twist()));
+  if (left_ && !filter_->initialised()) take_up(X_OB, time);
   const double heading_variance = planar_covariance(message.pose().covariance())(2, 2);
   const std::optional<WheelStep> step = wheels_.add(time, X_OB, heading_variance);
   if (!step) return;
@@ -84,7 +88,7 @@ void LocalizationComponent::on_odometry(const nav_msgs::msg::Odometry& message, 
 
 void LocalizationComponent::on_map(const OccupancyGrid& map, const Tick& tick) {
   filter_->set_map(map);
-  if (parameters_.start_anywhere && !filter_->initialised()) search(tick.now);
+  if (parameters_.start_anywhere && !filter_->initialised() && !left_) search(tick.now);
 }
 
 void LocalizationComponent::on_initial_pose(const geometry_msgs::msg::PoseWithCovarianceStamped& message,
@@ -110,6 +114,23 @@ void LocalizationComponent::start_at(const Pose2& X_MB, const Eigen::Matrix3d& c
   } else {
     log_.error("a pose to start at must be finite, its covariance positive definite: ignored");
   }
+}
+
+void LocalizationComponent::take_up(const Pose2& X_OB, Time time) {
+  const std::optional<KeptPose> now = carried_on(*left_, X_OB, time);
+  left_.reset();
+  if (now) return start_at(now->X_MB, now->covariance, time);
+  log_.warn(
+      "the odometry is not that of the process before this one: where the robot is has to be found anew");
+  if (parameters_.start_anywhere) search(time);
+}
+
+void LocalizationComponent::keep(const Estimate& estimate) const {
+  if (!wheels_.X_OB()) return;
+  keepsake_.keep(to_text({.time = estimate.time,
+                          .X_OB = *wheels_.X_OB(),
+                          .X_MB = estimate.X_MB,
+                          .covariance = estimate.covariance}));
 }
 
 void LocalizationComponent::search(Time time) {
@@ -144,6 +165,7 @@ void LocalizationComponent::report_health(const Tick& tick) {
   }
   state_ = health.state;
   if (!filter_->initialised()) return;
+  if (state_ != HealthState::lost) keep(estimate);
   if (state_ != HealthState::lost || parameters_.publish_when_lost)
     pose_.publish(to_pose_message(estimate, map_frame_));
   const ParticleSet* particles = filter_->particles();

@@ -7,6 +7,7 @@
 
 #include <tf2_msgs/msg/tf_message.hpp>
 
+#include "components/localization/adaptor/kept_pose.hpp"
 #include "components/localization/adaptor/localization_messages.hpp"
 #include "components/localization/adaptor/sensor_inputs.hpp"
 #include "components/localization/localization_parameters.hpp"
@@ -28,6 +29,8 @@ class LocalizationComponent final : public Component {
   void on_map(const OccupancyGrid& map, const Tick& tick);
   void start_at(const Pose2& X_MB, const Eigen::Matrix3d& covariance, Time time);
   void search(Time time);
+  void take_up(const Pose2& X_OB, Time time);
+  void keep(const Estimate& estimate) const;
   void publish_pose(const Pose2& X_OB, Time time);
   void report_health(const Tick& tick);
 
@@ -36,6 +39,8 @@ class LocalizationComponent final : public Component {
   OdometrySteps wheels_;
   std::unique_ptr<Localizer> filter_;
   HealthState state_ = HealthState::init;
+  Keepsake keepsake_;
+  std::optional<KeptPose> left_;  ///< until the odometry is heard
 
   std::string map_frame_;
   std::string odom_frame_;

@@ -72,6 +72,7 @@ class MapSaverComponent final : public Component {
  public:
   void configure(Setup& setup) override {
     options_ = setup.parameters<MapSaverOptions>();
+    setup.longest_callback(Duration::milliseconds(10'000));  // files
     log_ = setup.log();
     const std::filesystem::path folder = setup.file_parameter("folder");
     folder_ = std::filesystem::absolute(folder.empty() ? std::filesystem::path(options_.folder) : folder);

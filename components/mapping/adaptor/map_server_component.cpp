@@ -76,6 +76,7 @@ class MapServerComponent final : public Component {
  public:
   void configure(Setup& setup) override {
     const auto options = setup.parameters<MapServerOptions>();
+    setup.longest_callback(Duration::milliseconds(10'000));  // files
     const std::filesystem::path file = setup.file_parameter("map");
     grid_ = file.empty() ? area_grid(options.area) : load_map(file);
     draw_shapes(grid_, options.walls, options.boxes);

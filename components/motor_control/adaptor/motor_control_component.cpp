@@ -34,6 +34,13 @@ class MotorControlComponent final : public Component {
     limiter_.emplace(robot_, options);
     log_ = setup.log();
     diagnostics_ = &setup.diagnostics();
+    silent_ = setup.failsafe({.name = "command_silent",
+                              .condition = "cmd_vel is silent while the robot moves",
+                              .debounce = Duration::seconds(options.command_timeout),
+                              .recovery = "by itself, with the next command"});
+    unusable_ = setup.failsafe({.name = "command_unusable",
+                                .condition = "cmd_vel is not finite, or ten times the limits",
+                                .recovery = "by itself, with a sound command"});
     wheels_ = setup.command<sensor_msgs::msg::JointState>("wheel_commands");
     setup.input<geometry_msgs::msg::Twist>(
         "cmd_vel", Qos::command(),
@@ -75,6 +82,8 @@ class MotorControlComponent final : public Component {
         limited.state == LimiterState::not_finite || limited.state == LimiterState::implausible;
     const bool drives = limited.state == LimiterState::following || limited.state == LimiterState::waiting;
     const std::string text(describe(limited.state));
+    unusable_.set(is_fault);
+    silent_.set(limited.state == LimiterState::stale && last_ != Twist2{});
     if (is_fault) log_.error("{}: stopping", text);
     if (!is_fault && !drives && last_ != Twist2{}) log_.warn("{}: stopping", text);
     diagnostics_->report(is_fault ? Level::error : drives ? Level::ok : Level::warn, text);
@@ -90,6 +99,7 @@ class MotorControlComponent final : public Component {
   std::optional<VelocityLimiter> limiter_;
   LimiterState state_ = LimiterState::waiting;
   Twist2 last_;
+  Failsafe silent_, unusable_;
   Logger log_;
   DiagnosticReporter* diagnostics_ = nullptr;
   Output<sensor_msgs::msg::JointState> wheels_;

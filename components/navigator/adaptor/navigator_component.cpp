@@ -1,7 +1,10 @@
 #include "components/navigator/adaptor/navigator_component.hpp"
 
+#include <algorithm>
+#include <sstream>
 #include <utility>
 
+#include <fmt/format.h>
 #include <std_msgs/msg/empty.hpp>
 
 #include "components/messages/geometry.hpp"
@@ -11,19 +14,40 @@ namespace bw {
 
 using namespace bandwagon_msgs::msg;
 
+namespace {
+
+std::string to_text(const Pose2& pose) { return fmt::format("{} {} {}\n", pose.x, pose.y, pose.theta); }
+
+std::optional<Pose2> pose_from_text(const std::string& text) {
+  std::istringstream in(text);
+  Pose2 pose;
+  in >> pose.x >> pose.y >> pose.theta;
+  return in && is_finite(pose) ? std::optional(pose) : std::nullopt;
+}
+
+}  // namespace
+
 void NavigatorComponent::configure(Setup& setup) {
   parameters_ = setup.parameters<NavigatorParameters>(
       [this](const NavigatorParameters& changed, const Tick&) {
         parameters_ = changed;
         navigator_->set_options(changed);
       },
-      {"goal", "goals", "waypoint_pause", "number_of_loops", "stop_on_failure", "pose_source", "follow_waypoints"});
+      {"goal", "goals", "waypoint_pause", "number_of_loops", "stop_on_failure", "pose_source",
+       "follow_waypoints"});
   navigator_.emplace(parameters_);
-  goals_.emplace(parameters_.goal_list());
   log_ = setup.log();
+  keepsake_ = setup.keepsake("goal");
+  goals_.emplace(first_goals());
   const auto transforms = setup.transforms();
   frames_.listen(setup, transforms);
   situation_.listen(setup, parameters_, transforms);
+  lost_ = setup.failsafe(
+      {.name = "pose_lost",
+       .condition = "no pose while a goal is in hand",
+       .debounce = Duration::seconds(parameters_.kPoseTimeout),
+       .recovery = fmt::format("by itself with the next pose, within {:g} s; then the goal is aborted",
+                               parameters_.lost_patience)});
   plan_request_ = setup.output<PlanRequest>("plan_request");
   follow_request_ = setup.output<FollowRequest>("follow_request");
   status_ = setup.output<NavigationStatus>("navigation_status", Qos::latched());
@@ -31,6 +55,21 @@ void NavigatorComponent::configure(Setup& setup) {
   actions_.offer(setup);
   if (parameters_.follow_waypoints) waypoints_.offer(setup);
   setup.every(Duration::seconds(1.0 / parameters_.rate), "step", [this](const Tick& tick) { step(tick); });
+}
+
+/// Those of the graph; where a goal was in hand when the process before this one was killed, from that one on. Like them
+/// it waits for a pose.
+GoalListOptions NavigatorComponent::first_goals() const {
+  GoalListOptions list = parameters_.goal_list();
+  const std::optional<Pose2> left = pose_from_text(keepsake_.left());
+  if (!left) return list;
+  log_.warn("the goal of the process before this one, ({:.2f}, {:.2f}, {:.2f}), is taken up again", left->x,
+            left->y, left->theta);
+  const auto same = std::ranges::find(list.goals, *left);
+  if (same == list.goals.end()) return {.goals = {*left}};
+  list.first = static_cast<std::size_t>(same - list.goals.begin());
+  list.delay = 0.0;
+  return list;
 }
 
 void NavigatorComponent::listen(Setup& setup) {
@@ -65,6 +104,7 @@ void NavigatorComponent::deactivate(const Tick& tick) {
   waypoints_.forget();
   cancel(tick);
   settle(tick);
+  keepsake_.keep("");
 }
 
 std::uint64_t NavigatorComponent::take(const PlacedGoal& placed, const Tick& tick) {
@@ -106,8 +146,16 @@ void NavigatorComponent::settle(const Tick& tick) {
     publish(report, tick);
   }
   waypoints_.see(*goals_);
+  keep(tick);
+  lost_.set(navigator_->has_goal() && !situation_.at(tick).X_MB);
   if (actions.follow) follow_request_.publish(to_message(*actions.follow, header(tick)));
   if (actions.plan) plan_request_.publish(to_message(*actions.plan, header(tick)));
+}
+
+void NavigatorComponent::keep(const Tick& tick) {
+  const std::uint64_t in_hand = navigator_->has_goal() ? navigator_->goal_id() : 0;
+  if (std::exchange(kept_, in_hand) == in_hand) return;
+  keepsake_.keep(in_hand == 0 ? "" : to_text(navigator_->report(situation_.at(tick)).X_MG));
 }
 
 BW_COMPONENT(NavigatorComponent, "navigator")

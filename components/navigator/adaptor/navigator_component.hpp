@@ -35,6 +35,8 @@ class NavigatorComponent final : public Component, private GoalDesk {
   void settle(const Tick& tick) override;
   void drop_list();
   void take_from_list(const Situation& now);
+  GoalListOptions first_goals() const;
+  void keep(const Tick& tick);
 
   // What goes on with time.
   void step(const Tick& tick);
@@ -48,7 +50,10 @@ class NavigatorComponent final : public Component, private GoalDesk {
   std::optional<GoalList> goals_;
   Time last_feedback_;
   Time stepped_;
-  bool told_ = false;  ///< a person, that goals wait for a pose
+  Failsafe lost_;
+  Keepsake keepsake_;
+  std::uint64_t kept_ = 0;  ///< the goal that it has; 0: none
+  bool told_ = false;       ///< a person, that goals wait for a pose
   Logger log_;
   GoalFrames frames_;
   RobotSituation situation_;

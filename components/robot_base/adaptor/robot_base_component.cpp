@@ -8,6 +8,7 @@
 #include <std_msgs/msg/empty.hpp>
 #include <std_srvs/srv/trigger.hpp>
 
+#include "components/robot_base/adaptor/base_failsafes.hpp"
 #include "components/robot_base/adaptor/base_outputs.hpp"
 #include "components/robot_base/adaptor/chosen_driver.hpp"
 #include "components/robot_base/adaptor/emergency_stop_inputs.hpp"
@@ -57,6 +58,7 @@ class RobotBaseComponent final : public Component {
     if (options.battery.low == 0.0) options.battery.low = facts.battery_low;
     if (options.battery.empty == 0.0) options.battery.empty = facts.battery_empty;
     guard_.emplace(options, robot_, facts.response);
+    failsafes_ = {setup, options};
     outputs_ = {setup, *driver_};
     setup.input<sensor_msgs::msg::JointState>(
         "wheel_commands", kNewest,
@@ -122,6 +124,7 @@ class RobotBaseComponent final : public Component {
     const bool is_contact = guard_->contacts() != contacts_;
     const bool is_battery = guard_->battery() != battery_;
     told_ = output;
+    failsafes_.show(output);
     contacts_ = guard_->contacts();
     battery_ = guard_->battery();
     if (is_news || is_battery) report(output);
@@ -185,6 +188,7 @@ class RobotBaseComponent final : public Component {
   EmergencyStopOptions emergency_stop_options_;
   BaseOutputs outputs_;
   BaseOutput told_;
+  BaseFailsafes failsafes_;
   ContactReading contacts_;
   BatteryLevel battery_ = BatteryLevel::good;
   bool is_stopped_ = false;  ///< the runtime asks for a stop

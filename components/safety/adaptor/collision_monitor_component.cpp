@@ -1,8 +1,10 @@
 // Adaptor of the collision monitor: sweeps, odometry and wanted velocities in, allowed velocities out.
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -51,6 +53,7 @@ class CollisionMonitorComponent final : public Component {
     diagnostics_ = &setup.diagnostics();
     const bool stamped = is_stamped(options_.enable_stamped_cmd_vel, setup.ros_distro());
     command_.offer(setup, "cmd_vel", stamped);
+    declare_failsafes(setup);
     state_ = setup.output<nav2_msgs::msg::CollisionMonitorState>("collision_monitor_state");
     markers_ = setup.output<visualization_msgs::msg::MarkerArray>("collision_monitor_markers");
     setup.input<sensor_msgs::msg::LaserScan>(
@@ -77,6 +80,31 @@ class CollisionMonitorComponent final : public Component {
   }
 
  private:
+  void declare_failsafes(Setup& setup) {
+    const std::string recovery = options_.resume == safety::Resume::manual
+                                     ? "by collision_monitor/reset"
+                                     : "by itself, with the next sound sweep";
+    const Duration timeout = Duration::seconds(options_.source_timeout);
+    using Row = std::pair<std::string_view, const char*>;
+    for (const auto& [cause, condition] :
+         {Row{safety::kLaserSilent, "scan is silent"},
+          Row{safety::kLaserFrozen, "the same sweep again while wheels turn"},
+          Row{safety::kLaserInvalid, "sweeps are none, or late"}})
+      laser_failsafes_[cause] =
+          setup.failsafe({.name = std::string(cause),
+                          .condition = condition,
+                          .debounce = cause == safety::kLaserSilent ? timeout : Duration{},
+                          .recovery = recovery});
+    dark_failsafe_ = setup.failsafe({.name = "laser_dark",
+                                     .condition = "what was seen has vanished from a sector",
+                                     .action = FailsafeAction::slow,
+                                     .recovery = "by itself, once the laser hits something there"});
+    silent_failsafe_ = setup.failsafe({.name = std::string(kCommandSilent),
+                                       .condition = "cmd_vel_nav is silent while the robot moves",
+                                       .debounce = Duration::seconds(options_.command_timeout),
+                                       .recovery = "by itself, with the next command"});
+  }
+
   void use(const safety::CollisionMonitorOptions& changed) {
     options_ = changed;
     monitor_->set_options(changed);
@@ -145,6 +173,7 @@ class CollisionMonitorComponent final : public Component {
     const double dark = monitor_->dark();
     if ((dark > 0.0) == is_dark_) return;
     is_dark_ = dark > 0.0;
+    dark_failsafe_.set(is_dark_);
     diagnostics_->set_value(
         "dark", is_dark_ ? fmt::format("{:.0f} degrees", dark * 180.0 / std::numbers::pi) : "none");
     if (is_dark_)
@@ -155,6 +184,8 @@ class CollisionMonitorComponent final : public Component {
   void report(const Verdict& verdict, bool silent) {
     using Level = DiagnosticReporter::Level;
     diagnostics_->set_value("limited", limited_.text());
+    for (const auto& [cause, failsafe] : laser_failsafes_) failsafe.set(verdict.cause == cause);
+    silent_failsafe_.set(verdict.cause == kCommandSilent && !silent);
     if (silent) return diagnostics_->report(Level::ok, "nobody drives");
     if (verdict.action == Action::do_nothing) return diagnostics_->report(Level::ok, "the way is free");
     const bool is_laser = safety::is_laser_fault(verdict.cause);
@@ -189,6 +220,8 @@ class CollisionMonitorComponent final : public Component {
   ScanFrames frames_;
   bool has_driven_ = false;
   bool is_dark_ = false;
+  std::map<std::string_view, Failsafe> laser_failsafes_;  ///< by the monitor's cause
+  Failsafe dark_failsafe_, silent_failsafe_;
   std::optional<Time> drawn_at_;
   Logger log_;
   DiagnosticReporter* diagnostics_ = nullptr;

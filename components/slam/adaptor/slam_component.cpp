@@ -27,6 +27,7 @@ std::string seconds(Time time) { return fmt::format("{:.3f}", time.to_seconds())
 void SlamComponent::configure(Setup& setup) {
   parameters_ = setup.parameters<SlamParameters>();
   is_lockstep_ = setup.is_lockstep();
+  setup.longest_callback(Duration::milliseconds(10'000));  // a graph that is read, a place that is searched
   const std::filesystem::path folder = setup.file_parameter("folder");
   folder_ = std::filesystem::absolute(folder.empty() ? std::filesystem::path(parameters_.folder) : folder);
   map_frame_ = setup.frame("map");

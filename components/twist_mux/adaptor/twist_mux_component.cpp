@@ -52,6 +52,10 @@ class TwistMuxComponent final : public Component {
             need);
       }
     }
+    interrupted_ = setup.failsafe({.name = "hand",
+                                   .condition = "a hand has driven while a goal was in hand",
+                                   .action = FailsafeAction::stop_latched,
+                                   .recovery = "by release_stop, or another goal"});
     override_ = setup.output<std_msgs::msg::Bool>("manual_override", Qos::latched());
     setup.input<NavigationStatus>(
         "navigation_status", Qos::latched(),
@@ -87,6 +91,7 @@ class TwistMuxComponent final : public Component {
     const bool is_news = mux_->is_interrupted() != is_interrupted_;
     if (!is_news && !is_asked) return;
     is_interrupted_ = mux_->is_interrupted();
+    interrupted_.set(is_interrupted_);
     std_msgs::msg::Bool message;
     message.data(is_interrupted_);
     override_.publish(message);
@@ -147,6 +152,7 @@ class TwistMuxComponent final : public Component {
   TwistMuxOptions options_;
   std::optional<TwistMux> mux_;
   GoalInHand goal_;
+  Failsafe interrupted_;
   bool is_interrupted_ = false;  ///< as told last
   Output<std_msgs::msg::Bool> override_;
   std::optional<std::size_t> active_;  ///< as told last

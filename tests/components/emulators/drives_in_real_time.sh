@@ -23,7 +23,7 @@ drive() { # PROCESSES ROBOT SEED
     mkdir "$scratch/drive"
     "$program" run "$graph" "${options[@]}" --json "$scratch/drive/rest.json" >"$scratch/log" 2>&1 || true
   else
-    BANDWAGON_PROGRAM=$program BANDWAGON_LOG_DIR=$scratch/drive "$root/launch_scripts/split.sh" "$graph" "${options[@]}" >"$scratch/log" 2>&1 || true
+    "$program" launch "$graph" --logs "$scratch/drive" "${options[@]}" >"$scratch/log" 2>&1 || true
   fi
   [ -s "$scratch/drive/rest.json" ] || { cat "$scratch/log" >&2; exit 1; }
 }
