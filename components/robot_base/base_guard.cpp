@@ -82,7 +82,10 @@ void BaseGuard::moved(Time stamp, const WheelTravel& travel) {
 BaseOutput BaseGuard::step(Time now) {
   const LinkHealth health = link_.look(now);
   const bool is_lost = health == LinkHealth::lost || health == LinkHealth::reopened;
-  latch_.set(StopCause::link, is_lost, link_.reason());
+  first_step_ = std::min(first_step_.value_or(now), now);
+  takes_over_ = takes_over_ && now - *first_step_ < pause_;
+  latch_.set(StopCause::link, is_lost || takes_over_,
+             takes_over_ ? "the process of the base ended and was started again" : link_.reason());
   if (health != LinkHealth::heard) wheels_.reset();
   if (output_.wheels != WheelSpeeds{} || wants_motion(now)) latch_.interrupt();
   output_ = decide(now, health);

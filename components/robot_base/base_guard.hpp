@@ -57,6 +57,8 @@ class BaseGuard {
 
   /// False: it is not finite, and refused.
   bool command(Time now, const WheelSpeeds& wheels);
+  /// It takes the place of one that was killed, maybe while it drove: as a link that is lost for its first `restart.pause`.
+  void takes_over() { takes_over_ = true; }
   /// Commands may not be trusted now: the newest one is dropped.
   void revoke() { watchdog_.revoke(); }
   void set_emergency_stop(bool is_on, const std::string& reason = "the emergency stop is pressed");
@@ -100,6 +102,8 @@ class BaseGuard {
   Duration pause_left_;
   std::optional<Time> wished_;  ///< the newest command, if it wants motion
   std::optional<Time> last_step_;
+  bool takes_over_ = false;
+  std::optional<Time> first_step_;
 };
 
 }  // namespace bw

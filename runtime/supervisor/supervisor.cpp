@@ -1,17 +1,14 @@
 #include "runtime/supervisor/supervisor.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <csignal>
-#include <cstring>
 #include <fstream>
 #include <optional>
 #include <set>
 #include <stdexcept>
 #include <utility>
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/syscall.h>
@@ -19,6 +16,7 @@
 
 #include "runtime/child_process.hpp"
 #include "runtime/parameters/xdg_folder.hpp"
+#include "runtime/supervisor/child_stream.hpp"
 #include "runtime/supervisor/credential_socket.hpp"
 #include "runtime/supervisor/rotating_log.hpp"
 #include "runtime/supervisor/supervisor_lock.hpp"
@@ -34,60 +32,6 @@ Duration steady_now() {
   return Duration{std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count()};
 }
 
-class Descriptor {
- public:
-  explicit Descriptor(int number = -1) : number_(number) {}
-  ~Descriptor() { reset(); }
-  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
-    reset();
-    number_ = std::exchange(other.number_, -1);
-    return *this;
-  }
-  [[nodiscard]] int get() const { return number_; }
-  void reset() {
-    if (number_ >= 0) close(std::exchange(number_, -1));
-  }
-
- private:
-  int number_;
-};
-
-/// What the terminal, or who reads us, does not take at once is in the logs alone: nobody who looks on holds up a child.
-void pass_on(int descriptor, std::string_view text) {
-  pollfd ready{.fd = descriptor, .events = POLLOUT, .revents = 0};
-  if (poll(&ready, 1, 0) == 1 && (ready.revents & POLLOUT) != 0)
-    static_cast<void>(write(descriptor, text.data(), text.size()));
-}
-
-/// One stream of a child: from its pipe into the log and onto ours.
-struct Stream {
-  Stream(const std::filesystem::path& log, int to) : log(log), to(to) {}
-  RotatingLog log;
-  int to;
-  Descriptor pipe;
-  bool is_fault_told = false;
-
-  /// The end of a new pipe that the child writes to.
-  Descriptor open() {
-    std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0)
-      throw std::runtime_error(std::string("pipe: ") + std::strerror(errno));
-    fcntl(ends[0], F_SETFL, O_NONBLOCK);
-    pipe = Descriptor(ends[0]);
-    log.forget_last_words();
-    return Descriptor(ends[1]);
-  }
-  void drain() {
-    std::array<char, 16'384> text{};
-    for (ssize_t size = 0; (size = read(pipe.get(), text.data(), text.size())) > 0;) {
-      const std::string_view part(text.data(), static_cast<std::size_t>(size));
-      log.write(part);
-      pass_on(to, part);
-    }
-  }
-};
-
 struct Child {
   Child(SupervisedProgram its_program, const SupervisorOptions& options)
       : program(std::move(its_program)),
@@ -97,7 +41,7 @@ struct Child {
 
   SupervisedProgram program;
   SupervisedProcess plan;
-  Stream out, err;
+  ChildStream out, err;
   std::unique_ptr<ChildProcess> process;
   Descriptor end;  ///< readable when it has ended
 };
@@ -208,7 +152,7 @@ class Supervisor {
     constexpr int kLook = 20;  // [ms]
     std::vector<pollfd> watched = {{.fd = socket_.descriptor(), .events = POLLIN, .revents = 0}};
     for (const auto& child : children_) {
-      for (const int descriptor : {child->end.get(), child->out.pipe.get(), child->err.pipe.get()})
+      for (const int descriptor : {child->end.get(), child->out.descriptor(), child->err.descriptor()})
         if (descriptor >= 0) watched.push_back({.fd = descriptor, .events = POLLIN, .revents = 0});
     }
     poll(watched.data(), watched.size(), kLook);
@@ -267,22 +211,21 @@ class Supervisor {
   }
 
   void look_after(Child& child) {
-    for (Stream* stream : {&child.out, &child.err}) {
+    for (ChildStream* stream : {&child.out, &child.err}) {
       stream->drain();
-      if (!stream->log.fault().empty() && !std::exchange(stream->is_fault_told, true))
-        tell(fmt::format("{}; what {} prints is lost there, and the run goes on", stream->log.fault(),
-                         child.program.name));
+      if (const std::string fault = stream->news_of_fault(); !fault.empty())
+        tell(fmt::format("{}; what {} prints is lost there, and the run goes on", fault, child.program.name));
     }
     if (!child.process) return;
     if (const std::optional<int> status = child.process->known_status())
-      ended(child, *status, child.err.log.last_words());
+      ended(child, *status, child.err.last_words());
   }
 
   void ended(Child& child, int status, const std::string& last_words) {
     const State before = child.plan.state();
-    for (Stream* stream : {&child.out, &child.err}) {
+    for (ChildStream* stream : {&child.out, &child.err}) {
       stream->drain();
-      stream->pipe.reset();
+      stream->close_pipe();
     }
     child.process.reset();
     child.end.reset();

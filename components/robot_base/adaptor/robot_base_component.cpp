@@ -58,6 +58,8 @@ class RobotBaseComponent final : public Component {
     if (options.battery.low == 0.0) options.battery.low = facts.battery_low;
     if (options.battery.empty == 0.0) options.battery.empty = facts.battery_empty;
     guard_.emplace(options, robot_, facts.response);
+    keepsake_ = setup.keepsake("base");
+    if (!keepsake_.left().empty()) guard_->takes_over();
     failsafes_ = {setup, options};
     outputs_ = {setup, *driver_};
     setup.input<sensor_msgs::msg::JointState>(
@@ -82,6 +84,7 @@ class RobotBaseComponent final : public Component {
 
   void activate(const Tick& tick) override {
     odometry_.publish_mounts(tick.now);
+    keepsake_.keep("it was there\n");
     emergency_stop_->begin(tick.now, emergency_stop_options_, [this](Time now) { obey(now); });
   }
 
@@ -189,6 +192,7 @@ class RobotBaseComponent final : public Component {
   BaseOutputs outputs_;
   BaseOutput told_;
   BaseFailsafes failsafes_;
+  Keepsake keepsake_;
   ContactReading contacts_;
   BatteryLevel battery_ = BatteryLevel::good;
   bool is_stopped_ = false;  ///< the runtime asks for a stop

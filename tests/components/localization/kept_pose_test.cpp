@@ -27,8 +27,8 @@ TEST(KeptPose, ReadsBackToTheBit) {
 
 TEST(KeptPose, WhatIsNoneIsNothing) {
   const std::string whole = to_text(kept());
-  for (std::size_t size = 0; size + 6 < whole.size(); ++size)
-    EXPECT_FALSE(kept_pose(whole.substr(0, whole.rfind(' ', size + 1)))) << size;
+  for (std::size_t end = whole.find(' '); end != std::string::npos; end = whole.find(' ', end + 1))
+    EXPECT_FALSE(kept_pose(whole.substr(0, end))) << end;
   EXPECT_FALSE(kept_pose("nan nan nan nan nan nan nan nan nan nan nan nan nan"));
   EXPECT_FALSE(kept_pose("1 0 0 0 0 0 0 -1 0 0 1 0 1"));  // a negative variance
   EXPECT_FALSE(kept_pose("1 0 0 0 0 0 0 inf 0 0 1 0 1"));

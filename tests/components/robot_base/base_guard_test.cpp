@@ -87,6 +87,27 @@ TEST(BaseGuard, SilenceIsARampWithin300MsAndTakesARelease) {
   expect_set_off_after_a_release(base);
 }
 
+// A base process that was killed while somebody drove: the next one does not go on by itself.
+TEST(BaseGuard, WhoTakesOverFromOneThatWasKilledTakesAReleaseWhereSomebodyDrove) {
+  GuardedBase base;
+  base.guard().takes_over();
+  base.run(0.3, std::nullopt);  // until commands are heard
+  base.run(5.0, kAhead, [&] { ASSERT_EQ(base.output().wheels, WheelSpeeds{}); });
+  EXPECT_EQ(base.output().condition, BaseCondition::link);
+  EXPECT_TRUE(base.output().is_latched);
+  EXPECT_EQ(base.output().reason, "the process of the base ended and was started again");
+  expect_set_off_after_a_release(base);
+}
+
+// While nobody does, it is ready after twice the pause of 2 s: its own, and that of all that is over.
+TEST(BaseGuard, WhoTakesOverFromOneThatWasKilledIsReadyWhereNobodyDrove) {
+  GuardedBase base;
+  base.guard().takes_over();
+  base.run(4.1, std::nullopt, [&] { ASSERT_FALSE(base.output().is_latched); });
+  base.run(0.2, kAhead);
+  EXPECT_GT(base.output().wheels.left, 0.0);
+}
+
 TEST(BaseGuard, ACableThatIsPulledIsARampAtOnce) {
   GuardedBase base = driving();
   base.readings.link = {.is_open = false, .device = "/dev/base", .fault = "unplugged", .openings = 1};
