@@ -100,7 +100,8 @@ std::vector<SupervisedProgram> programs_of(const Graph& graph, const RunOptions&
                         .ends_last = true});
   }
   for (const std::string& process : graph.processes()) {
-    std::vector<std::string> command = {program, "run", graph.path.string(), "--only=" + process};
+    std::vector<std::string> command = {program, "run", fs::absolute(graph.path).string(),
+                                        "--only=" + process};
     command.insert(command.end(), words.run.begin(), words.run.end());
     if (run.json.empty() && !logs.empty())
       command.push_back("--json=" + (logs / (process + ".json")).string());

@@ -9,7 +9,6 @@ build=$(realpath "$1")
 graph=$(realpath "$2")
 looks=${3:-100}
 leavings=${4:-20}
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 program=$build/bin/bandwagon
 newcomer=$build/tests/interop/plain/plain_newcomer
 folder=$(mktemp -d)

@@ -27,7 +27,8 @@ void LocalizationComponent::configure(Setup& setup) {
       {"algorithm", "set_initial_pose", "start_anywhere", "sensors.gyro", "sensors.compass", "sensors.gps",
        "sensors.course", "sensors.laser", "sensors.ranges", "sensors.poses", "datum", "ekf",
        "particle_filter"});
-  setup.longest_callback(Duration::milliseconds(5'000));  // the whole map is searched
+  if (parameters_.algorithm == Algorithm::particle_filter && parameters_.sensors.laser)
+    setup.longest_callback(Duration::milliseconds(5'000));  // the whole map is searched
   inputs_.configure(setup, parameters_);
   const Robot& robot = setup.shared<Robot>("robot");
   wheels_ = {inputs_.wheels(), robot.wheel_separation, parameters_.sensors.wheel_noise,
