@@ -1,6 +1,7 @@
 #include "runtime/supervisor/supervised_process.hpp"
 
 #include <algorithm>
+#include <csignal>
 
 #include <fmt/format.h>
 
@@ -74,7 +75,9 @@ void SupervisedProcess::heard(const Notification& said, Duration now) {
 
 void SupervisedProcess::ended(int status, const std::string& last_words, Duration now) {
   constexpr int kWrongConfiguration = 2;
-  last_status_ = status;
+  // Asked to end before it had its handlers, and so before it moved anything: it did what it was asked to.
+  constexpr int kTerminated = 128 + SIGTERM;
+  last_status_ = told_ && status == kTerminated ? 0 : status;
   last_end_ = status_in_words(status);
   if (!fault_.empty()) last_end_ += ": " + fault_;
   if (!last_words.empty()) last_end_ += "; last words: " + last_words;

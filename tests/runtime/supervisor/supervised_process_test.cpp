@@ -143,6 +143,18 @@ TEST(SupervisedProcess, IsAskedToEndOnceAndKilledWhenItDoesNot) {
   EXPECT_TRUE(up.process.is_done());
 }
 
+// As a process does that had no time yet for handlers of its own.
+TEST(SupervisedProcess, ToEndBySigtermIsToObeyOnlyWhereItWasAsked) {
+  Up asked;
+  asked.process.ask_to_end(false);
+  EXPECT_EQ(asked.process.next(at(0.4)), Act::terminate);
+  asked.process.ended(128 + 15, "", at(0.4));
+  EXPECT_EQ(asked.process.last_status(), 0);
+  Up other;
+  other.process.ended(128 + 15, "", at(0.4));
+  EXPECT_EQ(other.process.last_status(), 128 + 15);
+}
+
 TEST(SupervisedProcess, ARestartThatWasAskedForCountsNothing) {
   Up up;
   for (int i = 0; i < 20; ++i) {
