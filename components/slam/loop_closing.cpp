@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "components/model/rigid_fit.hpp"
+#include "components/slam/loop_candidates.hpp"
 #include "components/slam/once_per_cell.hpp"
 #include "components/slam/pairwise_consistency.hpp"
 #include "components/slam/sparsification.hpp"
@@ -11,14 +12,8 @@
 namespace bw::slam {
 namespace {
 
-constexpr std::size_t kOverlapping =
-    3;                               // [submaps] nearer along the drive, scans were matched with each other
-constexpr std::size_t kBefore = 2;   // [submaps] before the newest: it ended where the newest begins
-constexpr std::size_t kInView = 20;  // [submaps] along the drive; beyond, what is seen is seen again
-constexpr std::size_t kMostCandidates = 6;
-constexpr double kWide = 2.0;  // [m] beyond, a search is dear and finds look-alikes
-constexpr double kAllRound = 0.2;
-constexpr std::size_t kMostFar = 32;
+constexpr std::size_t kBefore = 2;          // [submaps] before the newest: it ended where the newest begins
+constexpr std::size_t kInView = 20;         // [submaps] along the drive; beyond, what is seen is seen again
 constexpr std::size_t kImages = 8;          // nodes that look through an earlier submap
 constexpr std::size_t kWaiting = 200;       // loops that wait for support
 constexpr double kAgrees = 0.5;             // chi^2 of a loop that the poses keep to already
@@ -107,7 +102,7 @@ bool LoopClosing::advance() {
     const double distance = X.X.position().norm();
     if (known_.submaps[k].marginalised || distance > 2.0 * kPlaceReach) continue;
     around_.push_back(k);
-    if (distance > kPlaceReach || overlap(k, newest)) continue;
+    if (distance > kPlaceReach || overlap(k, newest, known_.submaps)) continue;
     if (3.0 * std::sqrt(X.covariance.topLeftCorner<2, 2>().trace()) <= kWide) review_.push_back(k);
   }
   search_.reset();
@@ -201,7 +196,8 @@ void LoopClosing::begin_search() {
 
 void LoopClosing::open_search() {
   known_.newest_in_first = search_->in_first;
-  search_->candidates = candidates(search_->others);
+  search_->candidates =
+      loop_candidates(known_.submaps, search_->others, options_.loop_search_maximum_distance, known_.turn);
   search_->is_open = true;
 }
 
@@ -235,46 +231,6 @@ void LoopClosing::look(View& view, std::size_t before) const {
     view.X_SB.push_back(X_SK[later - placement.submap] * placement.X_SB);
   }
   view.loops.emplace(view.walls, view.images, view.X_SB, options_);
-}
-
-std::vector<std::size_t> LoopClosing::candidates(const std::vector<UncertainPose>& others) {
-  const std::size_t later = known_.submaps.size() - 1;
-  struct Candidate {
-    std::size_t submap = 0;
-    double distance = 0.0;  // [m], or in standard deviations
-  };
-  std::vector<Candidate> near;
-  std::vector<Candidate> far;
-  const double reach = options_.loop_search_maximum_distance;
-  for (std::size_t j = 0; j < later; ++j) {
-    if (known_.submaps[j].marginalised || overlap(j, later)) continue;
-    const double sigma = std::sqrt(others[j].covariance.topLeftCorner<2, 2>().trace());
-    const double distance = (others[j].X * known_.submaps[j].centre - known_.submaps[later].centre).norm();
-    if (distance - 3.0 * sigma > reach) continue;
-    if (3.0 * sigma <= kWide)
-      near.push_back({j, distance});
-    else if (known_.submaps[later].all_round > kAllRound && known_.submaps[j].all_round > kAllRound)
-      far.push_back({j, std::max(0.0, distance - reach) / sigma});
-  }
-  const auto nearer = [](const Candidate& a, const Candidate& b) {
-    return a.distance != b.distance ? a.distance < b.distance : a.submap < b.submap;
-  };
-  std::sort(near.begin(), near.end(), nearer);
-  if (near.size() > kMostCandidates) near.resize(kMostCandidates);
-  std::vector<std::size_t> chosen;
-  for (const Candidate& candidate : near) chosen.push_back(candidate.submap);
-  // Of many, some each time, so that all have their turn.
-  std::sort(far.begin(), far.end(), nearer);
-  for (std::size_t k = 0; k < std::min(far.size(), kMostFar); ++k)
-    chosen.push_back(far[known_.turn++ % far.size()].submap);
-  return chosen;
-}
-
-bool LoopClosing::overlap(std::size_t earlier, std::size_t later) const {
-  if (later - earlier >= kOverlapping) return false;
-  for (; later > earlier; --later)
-    if (known_.submaps[later].found_in) return false;
-  return true;
 }
 
 bool LoopClosing::accept() {

@@ -89,13 +89,9 @@ class LoopClosing {
   void open_search();
   /// Walls of the newest submap and, if `before` is not 0, of the one so many before it on the same drive.
   void look(View& view, std::size_t before) const;
-  /// Submaps that the newest may have seen again; others: their poses in it.
-  std::vector<std::size_t> candidates(const std::vector<UncertainPose>& others);
   bool accept();                        ///< true: a loop that poses must move for
   void place(std::vector<Pose2> X_MS);  ///< after an optimisation
   void marginalise_if_seen_again(std::size_t submap);
-  /// So near along the drive that their scans were matched with each other.
-  bool overlap(std::size_t earlier, std::size_t later) const;
 
   SlamOptions options_;
   Nodes& nodes_;
