@@ -33,8 +33,7 @@ UncertainPose marginal_in_first(std::size_t submap, const std::optional<Submap::
 // What loops are searched in: walls in the newest submap, and some of the scans that saw them.
 struct LoopClosing::View {
   std::vector<Surface> walls;
-  std::vector<const RangeImage*> images;
-  std::vector<Pose2> X_SB;
+  Sights sights;
   std::optional<LoopSearch> loops;
 };
 
@@ -85,7 +84,7 @@ bool LoopClosing::advance() {
     }
     ++search_->next;
     ++known_.counts.searched;
-    if (auto loop = view.loops->find(known_.submaps[earlier], search_->others[earlier])) {
+    if (auto loop = view.loops->find(known_.submaps[earlier], sights(earlier, 0), search_->others[earlier])) {
       ++known_.counts.found;
       loop->edge.from = earlier;
       loop->edge.to = known_.submaps.size() - 1;
@@ -201,36 +200,47 @@ void LoopClosing::open_search() {
   search_->is_open = true;
 }
 
+std::vector<Pose2> LoopClosing::frames_before(std::size_t submap, std::size_t before) const {
+  std::vector<Pose2> X_SK{Pose2{}};
+  for (std::size_t k = submap; k > 0 && !known_.submaps[k].found_in && X_SK.size() <= before; --k)
+    X_SK.push_back(X_SK.back() * inverse(known_.submaps[k].X_PS.X));
+  return X_SK;
+}
+
+Sights LoopClosing::sights(std::size_t submap, std::size_t before) const {
+  // The first scan of a submap may have been placed in the second one before it, which ended there.
+  const std::vector<Pose2> X_SK = frames_before(submap, before + 2);
+  const Submap& last = known_.submaps[submap];
+  const Submap& first = known_.submaps[submap - std::min(before, X_SK.size() - 1)];
+  Sights sights;
+  const std::size_t stride = std::max<std::size_t>(1, (last.last_node - first.first_node) / kImages);
+  for (std::size_t n = first.first_node; n < last.last_node; n += stride) {
+    const auto node = nodes_.find(n);
+    if (node == nodes_.end()) continue;  // it left with its submap
+    const Placement& placement = node->second.placement;
+    // Of a file alone: it lies in none of these submaps.
+    if (submap - placement.submap >= X_SK.size()) continue;
+    sights.images.push_back(node->second.ranges.get());
+    sights.X_SB.push_back(X_SK[submap - placement.submap] * placement.X_SB);
+  }
+  return sights;
+}
+
 void LoopClosing::look(View& view, std::size_t before) const {
   const std::size_t later = known_.submaps.size() - 1;
-  const Submap& submap = known_.submaps[later];
-  // Frames of the ones before, in the newest; the first scan of a submap may have been placed in the second one
-  // before it, which ended there.
-  std::vector<Pose2> X_SK{Pose2{}};
-  for (std::size_t k = later; k > 0 && !known_.submaps[k].found_in && X_SK.size() <= before + 2; --k)
-    X_SK.push_back(X_SK.back() * inverse(known_.submaps[k].X_PS.X));
-  before = std::min(before, X_SK.size() - 1);
-  const Submap& first = known_.submaps[later - before];
-  view.walls = submap.surfaces;
-  if (before > 0) {
+  view.walls = known_.submaps[later].surfaces;
+  const std::vector<Pose2> X_SK = frames_before(later, before);
+  if (X_SK.size() > 1) {
     // Walls that both saw, once: a cell has one surface.
     OncePerCell cells(options_.resolution);
-    for (const Surface& surface : submap.surfaces) cells.take(surface);
-    for (const Surface& surface : first.surfaces) {
-      const Surface there = moved(surface, X_SK[before]);
+    for (const Surface& surface : view.walls) cells.take(surface);
+    for (const Surface& surface : known_.submaps[later + 1 - X_SK.size()].surfaces) {
+      const Surface there = moved(surface, X_SK.back());
       if (cells.take(there)) view.walls.push_back(there);
     }
   }
-  const std::size_t stride = std::max<std::size_t>(1, (submap.last_node - first.first_node) / kImages);
-  for (std::size_t n = first.first_node; n < submap.last_node; n += stride) {
-    const auto node = nodes_.find(n);
-    if (node == nodes_.end()) continue;  // of a file alone: a newest submap that left
-    const Placement& placement = node->second.placement;
-    if (later - placement.submap >= X_SK.size()) continue;  // of a file alone: it lies in none of these submaps
-    view.images.push_back(node->second.ranges.get());
-    view.X_SB.push_back(X_SK[later - placement.submap] * placement.X_SB);
-  }
-  view.loops.emplace(view.walls, view.images, view.X_SB, options_);
+  view.sights = sights(later, before);
+  view.loops.emplace(view.walls, view.sights, options_);
 }
 
 bool LoopClosing::accept() {

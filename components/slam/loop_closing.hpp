@@ -87,6 +87,10 @@ class LoopClosing {
   void take_up();
   void begin_search();
   void open_search();
+  /// Frames of a submap (S) and of so many before it on the same drive, in S.
+  std::vector<Pose2> frames_before(std::size_t submap, std::size_t before) const;
+  /// Of the same, some scans.
+  Sights sights(std::size_t submap, std::size_t before) const;
   /// Walls of the newest submap and, if `before` is not 0, of the one so many before it on the same drive.
   void look(View& view, std::size_t before) const;
   bool accept();                        ///< true: a loop that poses must move for

@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kLeastScore = 0.4;
 constexpr double kLeastInliers = 0.5;
-constexpr double kMostThrough = 0.25;
+constexpr double kExcluded = 16.3;   // chi^2 of three degrees of freedom, 99.9 %
+constexpr double kLeastValue = 0.4;  // share of inliers times the share that was not seen through
 constexpr int kIterationsOfLoop = 15;
 constexpr double kApart = 0.2;  // [m] of the points that are searched with
 constexpr double kSigmas = 3.0;
@@ -30,6 +31,11 @@ std::vector<SurfacePoint> points_of(std::span<const Surface> surfaces) {
 }
 
 }  // namespace
+
+Sights moved(Sights sights, const Pose2& X_AS) {
+  for (Pose2& X_SB : sights.X_SB) X_SB = X_AS * X_SB;
+  return sights;
+}
 
 std::vector<Vector2> thinned(std::span<const Surface> surfaces) {
   OncePerCell cells(kApart);
@@ -59,14 +65,13 @@ Vector2 centre(std::span<const Surface> surfaces) {
   return surfaces.empty() ? sum : Vector2(sum / static_cast<double>(surfaces.size()));
 }
 
-double seen_through(std::span<const Surface> surfaces, std::span<const RangeImage* const> images,
-                    std::span<const Pose2> X_SB) {
+double seen_through(std::span<const Surface> surfaces, const Sights& sights) {
   constexpr double kMargin = 0.3;  // [m] a beam that ends so far behind a surface went through it
   int in_view = 0;
   int through = 0;
-  for (std::size_t k = 0; k < images.size(); ++k) {
-    const RangeImage& image = *images[k];
-    const Pose2 X_LS = inverse(X_SB[k] * image.X_BL);
+  for (std::size_t k = 0; k < sights.images.size(); ++k) {
+    const RangeImage& image = *sights.images[k];
+    const Pose2 X_LS = inverse(sights.X_SB[k] * image.X_BL);
     for (std::size_t n = 0; n < surfaces.size(); n += 3) {
       const Vector2 p = X_LS * Vector2{surfaces[n].x, surfaces[n].y};
       const double range = p.norm();
@@ -91,11 +96,11 @@ double seen_through(std::span<const Surface> surfaces, std::span<const RangeImag
   return in_view < 30 ? 0.0 : static_cast<double>(through) / in_view;
 }
 
-LoopSearch::LoopSearch(std::span<const Surface> walls, std::span<const RangeImage* const> images,
-                       std::span<const Pose2> X_SB, const SlamOptions& options)
-    : walls_(walls), centre_(centre(walls)), images_(images), X_SB_(X_SB), options_(options), grids_(walls) {}
+LoopSearch::LoopSearch(std::span<const Surface> walls, const Sights& sights, const SlamOptions& options)
+    : walls_(walls), centre_(centre(walls)), sights_(sights), options_(options), grids_(walls) {}
 
-std::optional<Loop> LoopSearch::find(const Submap& earlier, const UncertainPose& expected) {
+std::optional<Loop> LoopSearch::find(const Submap& earlier, const Sights& of_earlier,
+                                     const UncertainPose& expected) {
   const auto sigmas = [&](int axis) { return kSigmas * std::sqrt(expected.covariance(axis, axis)); };
   SearchWindow window{std::max(kLeastWindow, sigmas(0)), std::max(kLeastWindow, sigmas(1)),
                       std::clamp(sigmas(2), kLeastTurn, kMostTurn)};
@@ -125,17 +130,18 @@ std::optional<Loop> LoopSearch::find(const Submap& earlier, const UncertainPose&
                      nullptr, kIterationsOfLoop);
   }
   if (refined.inliers < kLeastInliers) return std::nullopt;
+  const UncertainPose there = with_covariance(refined);
+  if (squared_distance(there, expected) > kExcluded) return std::nullopt;
   Loop loop;
   loop.score = found->score;
   loop.inliers = refined.inliers;
   loop.window = std::max(window.x, window.y);
-  std::vector<Pose2> poses;
-  const Pose2 X_earlier_later = inverse(refined.X);
-  for (const Pose2& X : X_SB_) poses.push_back(X_earlier_later * X);
-  loop.through = seen_through(earlier.surfaces, images_, poses);
-  if (loop.through > kMostThrough) return std::nullopt;
+  // Either way: where a wall was seen then and nothing stands now, and where a wall stands now.
+  loop.through = 1.0 - (1.0 - seen_through(earlier.surfaces, moved(sights_, inverse(refined.X)))) *
+                           (1.0 - seen_through(walls_, moved(of_earlier, refined.X)));
+  if (loop.inliers * (1.0 - loop.through) < kLeastValue) return std::nullopt;
   loop.edge.loop = true;
-  loop.edge.X = inverse(with_covariance(refined));
+  loop.edge.X = inverse(there);
   return loop;
 }
 

@@ -4,8 +4,6 @@
 #include <cstdlib>
 #include <limits>
 
-#include <Eigen/LU>
-
 namespace bw::slam {
 namespace {
 
@@ -50,9 +48,7 @@ double inconsistency(const Loop& a, const Loop& b, std::span<const Submap> subma
     return std::numeric_limits<double>::infinity();
   const UncertainPose by_a = a.edge.X * along_drive(a.edge.to, b.edge.to, submaps);
   const UncertainPose by_b = along_drive(a.edge.from, b.edge.from, submaps) * b.edge.X;
-  const Eigen::Vector3d e = difference(by_a.X, by_b.X);
-  const Eigen::Matrix3d C = by_a.covariance + by_b.covariance;
-  return e.dot(C.inverse() * e);
+  return squared_distance(by_a, by_b);
 }
 
 std::vector<std::size_t> supporters(std::size_t with, std::span<const Loop> loops,

@@ -112,10 +112,7 @@ namespace {
 bool can_be(const Edge& loop, const std::vector<Edge>& edges, const std::vector<Pose2>& poses) {
   std::vector<Edge> drive;
   std::ranges::copy_if(edges, std::back_inserter(drive), [](const Edge& edge) { return !edge.loop; });
-  const UncertainPose by_drive = relative_to(loop.from, drive, poses)[loop.to];
-  const Eigen::Matrix3d C = by_drive.covariance + loop.X.covariance;
-  const Eigen::Vector3d e = difference(by_drive.X, loop.X.X);
-  return e.dot(C.inverse() * e) <= kAllowed;
+  return squared_distance(relative_to(loop.from, drive, poses)[loop.to], loop.X) <= kAllowed;
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "components/slam/branch_and_bound.hpp"
-#include "components/slam/loop_search.hpp"
 
 namespace bw::slam {
 namespace {
@@ -106,13 +105,12 @@ void PlaceSearch::begin_search() {
   for (std::size_t n = 0; n < all.size(); n += 1 + all.size() / kMostSearched) points_.push_back(all[n]);
   walls_.clear();
   for (const Surface& surface : surfaces) walls_.push_back(surface.point());
-  images_.clear();
-  X_SB_.clear();
+  sights_ = {};
   const std::size_t looks = std::min(asked_, kLooks);
   for (auto at = local_->nodes().lower_bound(asked_ - looks); at != local_->nodes().end(); ++at) {
     const Node& node = at->second;
-    images_.push_back(node.ranges.get());
-    X_SB_.push_back(inverse(X_WS_) * local_->pose(node.placement));
+    sights_.images.push_back(node.ranges.get());
+    sights_.X_SB.push_back(inverse(X_WS_) * local_->pose(node.placement));
   }
   candidates_.clear();
   best_ = 0.0;
@@ -174,9 +172,7 @@ void PlaceSearch::look(const Block& block) {
   if (!surface_map_) surface_map_.emplace(map_.options().resolution, submap.surfaces);
   const Refined refined = refine(*surface_map_, walls_, found->X, nullptr, kPlaceIterations);
   if (refined.inliers < kLeastPlaceScore) return;
-  std::vector<Pose2> looks;
-  for (const Pose2& X : X_SB_) looks.push_back(refined.X * X);
-  const double value = refined.inliers * (1.0 - seen_through(submap.surfaces, images_, looks));
+  const double value = refined.inliers * (1.0 - seen_through(submap.surfaces, moved(sights_, refined.X)));
   best_ = std::max(best_, found->score);
   candidates_.push_back({map_.X_MS()[submap_] * refined.X, value, !refined.unseen.isZero()});
 }

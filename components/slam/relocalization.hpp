@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "components/slam/correlative_search.hpp"
+#include "components/slam/loop_search.hpp"
 #include "components/slam/max_grids.hpp"
 #include "components/slam/slam.hpp"
 
@@ -69,8 +70,7 @@ class PlaceSearch {
   std::vector<Vector2> points_;
   std::vector<SurfacePoint> walls_;
   Pose2 X_WS_;  ///< of the local submap that is looked for
-  std::vector<const RangeImage*> images_;
-  std::vector<Pose2> X_SB_;
+  Sights sights_;
   std::size_t submap_ = 0;  ///< that is searched
   std::vector<Block> blocks_;
   std::optional<MaxGrids> grids_;

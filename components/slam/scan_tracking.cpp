@@ -97,8 +97,7 @@ int ScanTracking::held(const Scan& scan, const Pose2& X_OB, const Refined& match
   double meets = match.inliers;
   if (meets < kGoodMatch) {
     // Of a scan that fits by chance many beams end behind walls.
-    const RangeImage* image = &scan.ranges;
-    meets *= 1.0 - seen_through(older_->surface.surfaces(), {&image, 1}, {&match.X, 1});
+    meets *= 1.0 - seen_through(older_->surface.surfaces(), {{&scan.ranges}, {match.X}});
   }
   if (meets >= kHardlyMeets || scan.points.size() < kFewPoints) return held_ = 0;
   if (held_ > 0) return ++held_;

@@ -7,13 +7,13 @@
 namespace bw::slam {
 namespace {
 
-constexpr double kDoubtful = 0.3;   // share of beams that must meet the map
-constexpr double kUnseenFor = 1.0;  // [s] before it is worth a word
-constexpr double kWindow = 1.0;     // [s] over which slip is summed
-constexpr double kSlip = 0.08;      // [m]
-constexpr double kSlipShare = 0.3;  // of what the wheels say
-constexpr double kTurnSlip = 0.15;  // [rad]
-constexpr double kTelling = 0.6;    // share of inliers of a scan that tells of slip
+constexpr double kDoubtful = 0.3;     // share of beams that must meet the map
+constexpr double kUnseenFor = 1.0;    // [s] before it is worth a word
+constexpr double kWindow = 1.0;       // [s] over which slip is summed
+constexpr double kSlip = 0.08;        // [m]
+constexpr double kSlipShare = 0.3;    // of what the wheels say
+constexpr double kTurnSlip = 0.15;    // [rad]
+constexpr double kTellsOfSlip = 0.6;  // share of inliers of a scan that tells of slip
 
 }  // namespace
 
@@ -35,7 +35,7 @@ void HealthWatch::add(const Tracked& tracked, std::size_t points, const Pose2& X
     jumped_ = time;
     jump_ = step.wheels.head<2>().norm();
   }
-  const bool tells = began_ && tracked.matched && tracked.match.inliers >= kTelling;
+  const bool tells = began_ && tracked.matched && tracked.match.inliers >= kTellsOfSlip;
   steps_.push_back(tells ? step : Step{time, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()});
   while ((time - steps_.front().time).to_seconds() > kWindow) steps_.pop_front();
   began_ = true;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 
 #include "runtime/base/pose2.hpp"
 
@@ -57,6 +58,14 @@ inline double spread(const Eigen::Matrix3d& covariance) {
 /// (x, y, theta) of the difference between two poses in one frame, the angle wrapped.
 inline Eigen::Vector3d difference(const Pose2& a, const Pose2& b) {
   return {a.x - b.x, a.y - b.y, wrap_angle(a.theta - b.theta)};
+}
+
+/// Squared Mahalanobis distance between two that tell the same pose, their errors independent: chi-square of three
+/// degrees of freedom.
+inline double squared_distance(const UncertainPose& a, const UncertainPose& b) {
+  const Eigen::Vector3d e = difference(a.X, b.X);
+  const Eigen::Matrix3d C = a.covariance + b.covariance;
+  return e.dot(C.inverse() * e);
 }
 
 }  // namespace bw::slam
