@@ -31,33 +31,34 @@ struct Gradient {
 /// Every feature value as the number of thresholds that it reaches.
 class Bins {
  public:
-  Bins(std::span<const Features> features, int thresholds) : samples_(features.size()) {
-    std::vector<float> values(samples_);
-    for (std::size_t f = 0; f < kFeatures; ++f) {
-      for (std::size_t i = 0; i < samples_; ++i) values[i] = features[i].values[f];
+  Bins(const FeatureRows& rows, int thresholds) : cuts_(rows.features), bins_(rows.features) {
+    const std::size_t samples = rows.samples();
+    std::vector<float> values(samples);
+    for (std::size_t f = 0; f < rows.features; ++f) {
+      for (std::size_t i = 0; i < samples; ++i) values[i] = rows[i][f];
       std::sort(values.begin(), values.end());
       auto& cuts = cuts_[f];
       for (int t = 1; t <= thresholds; ++t) {
-        const auto at = static_cast<std::size_t>(t) * samples_ / static_cast<std::size_t>(thresholds + 1);
+        const auto at = static_cast<std::size_t>(t) * samples / static_cast<std::size_t>(thresholds + 1);
         const float cut = rounded(values[at]);
         if (cut > values.front() && (cuts.empty() || cut > cuts.back())) cuts.push_back(cut);
       }
-      bins_[f].resize(samples_);
-      for (std::size_t i = 0; i < samples_; ++i) {
-        const float value = features[i].values[f];
+      bins_[f].resize(samples);
+      for (std::size_t i = 0; i < samples; ++i) {
+        const float value = rows[i][f];
         bins_[f][i] =
             static_cast<std::uint8_t>(std::upper_bound(cuts.begin(), cuts.end(), value) - cuts.begin());
       }
     }
   }
 
+  std::size_t features() const { return cuts_.size(); }
   const std::vector<float>& cuts(std::size_t feature) const { return cuts_[feature]; }
   const std::vector<std::uint8_t>& of(std::size_t feature) const { return bins_[feature]; }
 
  private:
-  std::size_t samples_;
-  std::array<std::vector<float>, kFeatures> cuts_;
-  std::array<std::vector<std::uint8_t>, kFeatures> bins_;
+  std::vector<std::vector<float>> cuts_;
+  std::vector<std::vector<std::uint8_t>> bins_;
 };
 
 struct Split {
@@ -76,7 +77,7 @@ Split best_split(const Bins& bins, const std::vector<int>& node_of, int node,
   }
   Gradient total;
   for (const std::size_t i : here) total += gradients[i];
-  for (std::size_t f = 0; f < kFeatures; ++f) {
+  for (std::size_t f = 0; f < bins.features(); ++f) {
     std::array<Gradient, 256> sums{};
     const auto& bin = bins.of(f);
     for (const std::size_t i : here) sums[bin[i]] += gradients[i];
@@ -123,23 +124,23 @@ DecisionTree grow(const Bins& bins, const std::vector<Gradient>& gradients, cons
 
 }  // namespace
 
-BoostedTrees boost(std::span<const Features> features, std::span<const std::uint8_t> positive,
+BoostedTrees boost(const FeatureRows& rows, std::span<const std::uint8_t> positive,
                    const BoostingOptions& options) {
   BoostedTrees result;
-  const auto count = static_cast<double>(features.size());
+  const auto count = static_cast<double>(rows.samples());
   const auto ones = static_cast<double>(std::count(positive.begin(), positive.end(), std::uint8_t{1}));
   if (ones == 0.0 || ones == count) return result;
-  const Bins bins(features, options.thresholds);
+  const Bins bins(rows, options.thresholds);
   result.bias = rounded(std::log(ones / (count - ones)));
-  std::vector<float> sums(features.size(), result.bias);
-  std::vector<Gradient> gradients(features.size());
+  std::vector<float> sums(rows.samples(), result.bias);
+  std::vector<Gradient> gradients(rows.samples());
   for (int t = 0; t < options.trees; ++t) {
     for (std::size_t i = 0; i < sums.size(); ++i) {
       const double p = 1.0 / (1.0 + std::exp(-static_cast<double>(sums[i])));
       gradients[i] = {p - positive[i], p * (1.0 - p)};
     }
     result.trees.push_back(grow(bins, gradients, options));
-    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += result.trees.back().evaluate(features[i]);
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += result.trees.back().evaluate(rows[i]);
   }
   return result;
 }

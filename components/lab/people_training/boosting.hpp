@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "components/people/detector/classifier.hpp"
+#include "components/people/decision_tree.hpp"
 
 namespace bw::people {
 
@@ -21,9 +21,20 @@ struct BoostedTrees {
   std::vector<DecisionTree> trees;
 };
 
-/// `positive` holds a flag for each of `features`. All numbers are rounded to five digits, as they will be
+/// Feature values of samples, one sample after the other.
+struct FeatureRows {
+  std::size_t features = 0;  ///< of each sample
+  std::vector<float> values;
+
+  std::size_t samples() const { return values.size() / features; }
+  std::span<const float> operator[](std::size_t i) const {
+    return std::span(values).subspan(i * features, features);
+  }
+};
+
+/// `positive` holds a flag for each of `rows`. All numbers are rounded to five digits, as they will be
 /// printed.
-BoostedTrees boost(std::span<const Features> features, std::span<const std::uint8_t> positive,
+BoostedTrees boost(const FeatureRows& rows, std::span<const std::uint8_t> positive,
                    const BoostingOptions& options);
 
 }  // namespace bw::people

@@ -10,6 +10,7 @@
 
 #include "components/lab/people_training/boosting.hpp"
 #include "components/lab/people_training/report.hpp"
+#include "components/lab/people_training/table_writer.hpp"
 
 namespace bw::people {
 namespace {
@@ -17,36 +18,11 @@ namespace {
 constexpr Collection kTraining{.first_seed = 100'000, .rooms = 600};
 constexpr Collection kJudging{.first_seed = 200'000, .rooms = 150};
 
-std::vector<Features> features_of_all(const std::vector<Sample>& samples) {
-  std::vector<Features> features;
-  for (const Sample& sample : samples) features.push_back(sample.features);
-  return features;
-}
-
-template <std::size_t N>
-std::string list(const std::array<float, N>& values) {
-  std::string text = "{";
-  for (std::size_t i = 0; i < N; ++i) {
-    char number[32];
-    std::snprintf(number, sizeof number, "%.5g", static_cast<double>(values[i]));
-    std::string literal = number;
-    if (literal.find_first_of(".e") == std::string::npos) literal += ".";
-    text += (i > 0 ? "," : "") + literal + "F";
-  }
-  return text + "}";
-}
-
-void write(std::ostream& out, const std::string& name, const BoostedTrees& boosted) {
-  char bias[32];
-  std::snprintf(bias, sizeof bias, "%.5g", static_cast<double>(boosted.bias));
-  out << "constexpr float k" << name << "Bias = static_cast<float>(" << bias << ");\n";
-  out << "constexpr std::array<DecisionTree, " << boosted.trees.size() << "> k" << name << "Trees = {{\n";
-  for (const DecisionTree& tree : boosted.trees) {
-    out << "{{";
-    for (std::size_t i = 0; i < tree.feature.size(); ++i) out << (i > 0 ? "," : "") << int{tree.feature[i]};
-    out << "}," << list(tree.threshold) << "," << list(tree.leaf) << "},\n";
-  }
-  out << "}};\n";
+FeatureRows rows_of(const std::vector<Sample>& samples) {
+  FeatureRows rows{.features = kFeatures};
+  for (const Sample& sample : samples)
+    rows.values.insert(rows.values.end(), sample.features.values.begin(), sample.features.values.end());
+  return rows;
 }
 
 double human_share(const std::vector<Sample>& samples) {
@@ -67,7 +43,7 @@ std::string report(const BoostedTrees& leg, const BoostedTrees& body, double hum
 int train(const char* table, const char* report_file) {
   const std::vector<Sample> training = collect(kTraining);
   const std::vector<Sample> judging = collect(kJudging);
-  const std::vector<Features> features = features_of_all(training);
+  const FeatureRows features = rows_of(training);
   const BoostedTrees leg = boost(features, is(Kind::leg, training), {.trees = 120});
   const BoostedTrees body = boost(features, is(Kind::body, training), {});
   const double human = human_share(training);
@@ -82,8 +58,8 @@ int train(const char* table, const char* report_file) {
   char share[32];
   std::snprintf(share, sizeof share, "%.5g", human);
   out << "constexpr double kHumanShare = " << share << ";\n";
-  write(out, "Leg", leg);
-  write(out, "Body", body);
+  write_trees(out, "Leg", leg);
+  write_trees(out, "Body", body);
   return out.good() && text.good() ? 0 : 1;
 }
 

@@ -26,6 +26,10 @@ bw::LegOptions draw_legs(const TrainingPeopleOptions& options, bool stands, Rand
   // Feet together to a wide stand; who walks keeps the middle.
   const double separation = stands ? random.uniform(2.0 * radius, 0.4) : random.uniform(0.12, 0.3);
   const double swing = random.uniform(0.12, 0.22);
+  if (options.restless) {
+    legs.sway = 0.003;
+    legs.shift_every = 15.0;
+  }
   if (!options.varied_legs) return legs;
   legs.radius = radius;
   legs.separation = stands && random.uniform() < 0.3 ? 2.0 * radius : separation;
@@ -40,7 +44,8 @@ struct Plan {
   SocialWalkersOptions walking;
 };
 
-void plan_group(int size, const std::function<Vector2()>& free_position, Random& random, Plan& plan) {
+void plan_group(int size, bool restless, const std::function<Vector2()>& free_position, Random& random,
+                Plan& plan) {
   const Vector2 start = free_position();
   const Vector2 goal = free_position();
   const bool stands = random.uniform() < 0.35;
@@ -55,6 +60,12 @@ void plan_group(int size, const std::function<Vector2()>& free_position, Random&
       const Vector2 position = start + ring * direction(bearing);
       ScriptedPersonOptions person;
       person.waypoints = {{position.x(), position.y()}};
+      if (restless && random.uniform() < 0.5) {  // stands only for a while, or walks up first
+        const Vector2 end = free_position();
+        person.waypoints.push_back({end.x(), end.y()});
+        person.speed = random.uniform(0.5, 1.3);
+        person.start_time = random.uniform(0.0, 12.0);
+      }
       plan.standing.push_back(person);
       plan.facing.push_back(size > 1 ? bearing + std::numbers::pi : bearing);
     } else {
@@ -77,7 +88,7 @@ TrainingPeople::TrainingPeople(const TrainingPeopleOptions& options, const Stati
   for (int left = options.count; left > 0;) {
     const int drawn = random.uniform() < 0.5 ? 1 : 2 + static_cast<int>(random.uniform() * 3.0);
     const int size = std::min(left, drawn);
-    plan_group(size, free_position, random, plan);
+    plan_group(size, options.restless, free_position, random, plan);
     left -= size;
   }
   for (std::size_t i = 0; i < plan.standing.size(); ++i) {

@@ -15,6 +15,7 @@ namespace bw::people {
 
 struct TrainingPeopleOptions {
   int count = 0;
+  bool restless = false;      ///< who stands sways, sets a foot aside now and then, and goes elsewhere
   bool varied_legs = true;    ///< else as usual in the world
   double laser_height = 0.3;  ///< above the floor, 0.1 to 0.5: ankles, calves, knees [m]
 };

@@ -26,11 +26,16 @@ TrainingRoom::TrainingRoom(const RoomOptions& options, std::uint64_t seed)
       moving_(options.moving) {
   furniture_.add_box(Piece::wall, {length_ / 2, width_ / 2, 0.0}, length_, width_);
   if (options.furnished) furnish();
+  if (options.crowded) {
+    furnish();
+    stand_posts_in_rows();
+  }
   scene_ = std::make_unique<StaticScene>(furniture_.shapes(), std::nullopt);
   scanner_model_ = draw_scanner(random_, options.varied_scanner);
   scanner_ = std::make_unique<LaserScanner>(scanner_model_.laser, Random(random_.bits()));
   const TrainingPeopleOptions people{
       .count = options.most_people > 0 ? 1 + count_up_to(random_, options.most_people - 1) : 0,
+      .restless = options.restless,
       .varied_legs = options.varied_scanner,
       .laser_height = random_.uniform(0.1, 0.5)};
   people_ = std::make_unique<TrainingPeople>(
@@ -60,6 +65,20 @@ void TrainingRoom::furnish() {
   stand_up_to(4, Piece::plant);
   stand_up_to(3, Piece::trolley);
   for (int n = count_up_to(random_, 2); n > 0; --n) furniture_.add_dining_table(somewhere(), random_);
+}
+
+/// Two or more alike, as far apart as legs or as a barrier's.
+void TrainingRoom::stand_posts_in_rows() {
+  for (int row = count_up_to(random_, 4); row > 0; --row) {
+    const Pose2 X{random_.uniform(0.0, length_), random_.uniform(0.0, width_),
+                  random_.uniform(-std::numbers::pi, std::numbers::pi)};
+    const double gap = random_.uniform() < 0.6 ? random_.uniform(0.15, 0.45) : random_.uniform(0.6, 1.4);
+    const std::uint64_t make = random_.bits();
+    for (int i = 2 + count_up_to(random_, 2); i > 0; --i) {
+      Random alike(make);
+      furniture_.add(Piece::post, X * Pose2{gap * i, 0.0, 0.0}, alike);
+    }
+  }
 }
 
 Vector2 TrainingRoom::free_position(double clearance) {

@@ -17,6 +17,8 @@ namespace bw::people {
 struct RoomOptions {
   int most_people = 20;
   bool furnished = true;
+  bool crowded = false;        ///< with twice the furniture, and with posts in rows
+  bool restless = false;       ///< who stands does not stand still
   bool varied_scanner = true;  ///< in any height; else the usual one, and legs as usual
   bool moving = true;          ///< the scanner drives
 };
@@ -47,6 +49,7 @@ class TrainingRoom {
 
  private:
   void furnish();
+  void stand_posts_in_rows();
   void find_legs();
   Vector2 free_position(double clearance);
   void drive(double dt);

@@ -11,9 +11,7 @@ namespace {
 }  // namespace
 
 double probability(std::span<const DecisionTree> trees, float bias, const Features& features) {
-  float sum = bias;
-  for (const DecisionTree& tree : trees) sum += tree.evaluate(features);
-  return 1.0 / (1.0 + std::exp(-static_cast<double>(sum)));
+  return 1.0 / (1.0 + std::exp(-static_cast<double>(log_odds(trees, bias, features.values))));
 }
 
 HumanScores at_even_odds(const HumanScores& trained, double human) {

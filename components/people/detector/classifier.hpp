@@ -2,34 +2,12 @@
 // Friedman 2001, logistic loss), trained on our own world by components/lab/people_training/.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <span>
 
+#include "components/people/decision_tree.hpp"
 #include "components/people/detector/features.hpp"
 
 namespace bw::people {
-
-/// A full tree of three questions. Node n asks "value of feature[n] < threshold[n]"; yes goes to node 2n + 1,
-/// no to 2n + 2; below the last row come the leaves, from left to right.
-struct DecisionTree {
-  static constexpr int kDepth = 3;
-  static constexpr int kNodes = (1 << kDepth) - 1;
-  static constexpr int kLeaves = 1 << kDepth;
-
-  std::array<std::uint8_t, kNodes> feature{};
-  std::array<float, kNodes> threshold{};
-  std::array<float, kLeaves> leaf{};
-
-  float evaluate(const Features& f) const {
-    int node = 0;
-    for (int depth = 0; depth < kDepth; ++depth) {
-      const auto n = static_cast<std::size_t>(node);
-      node = 2 * node + (f.values[feature[n]] < threshold[n] ? 1 : 2);
-    }
-    return leaf[static_cast<std::size_t>(node - kNodes)];
-  }
-};
 
 /// Which share of outlines that look like this one is human, where as many human outlines are about as
 /// others. So leg + body, at most 1, is the probability of a human where nothing is known, and its log odds

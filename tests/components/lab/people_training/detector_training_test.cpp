@@ -98,21 +98,23 @@ TEST(ScannerModel, MixesAtEdgesAndLosesBeamsOnTrousersOnly) {
 TEST(Boosting, LearnsWhatOneThresholdCannotAndIsTheSameEveryTime) {
   // Positive when exactly one of two values is above one half: no single question helps, three in a row do.
   Random random(3);
-  std::vector<Features> features(2000);
+  FeatureRows features{.features = 8, .values = std::vector<float>(8 * 2000)};
   std::vector<std::uint8_t> positive;
-  for (Features& f : features) {
-    f.values[3] = static_cast<float>(random.uniform());
-    f.values[7] = static_cast<float>(random.uniform());
-    positive.push_back((f.values[3] > 0.5F) != (f.values[7] > 0.5F));
+  for (std::size_t i = 0; i < 2000; ++i) {
+    const auto x = static_cast<float>(random.uniform());
+    const auto y = static_cast<float>(random.uniform());
+    features.values[8 * i + 3] = x;
+    features.values[8 * i + 7] = y;
+    positive.push_back((x > 0.5F) != (y > 0.5F));
   }
   const BoostingOptions options{.trees = 40, .rate = 0.3};
   const BoostedTrees a = boost(features, positive, options);
   const BoostedTrees b = boost(features, positive, options);
   int right = 0;
-  for (std::size_t i = 0; i < features.size(); ++i) {
-    const double p = probability(a.trees, a.bias, features[i]);
-    EXPECT_EQ(p, probability(b.trees, b.bias, features[i]));
-    if ((p > 0.5) == (positive[i] != 0)) ++right;
+  for (std::size_t i = 0; i < features.samples(); ++i) {
+    const float odds = log_odds(a.trees, a.bias, features[i]);
+    EXPECT_EQ(odds, log_odds(b.trees, b.bias, features[i]));
+    if ((odds > 0.0F) == (positive[i] != 0)) ++right;
   }
   EXPECT_GT(right, 1900);
   // One class only: nothing to learn.
