@@ -1,5 +1,6 @@
 #include "components/people/tracker/heading_filter.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -8,6 +9,10 @@
 namespace bw::people {
 namespace {
 
+constexpr double kSurpriseMemory = 0.5;  // [s]
+// Share of the velocity's covariance that is its error where innovations are as foreseen, measured: NEES 2.
+constexpr double kTrueShare = 0.7;
+constexpr double kLeastShare = 0.02;
 constexpr double kLongestStep = 0.1;  // [s] over which a turn is linear enough
 
 }  // namespace
@@ -34,6 +39,7 @@ HeadingFilter::HeadingFilter(const SeenPosition& first, const SeenPosition& seco
 
 void HeadingFilter::predict(double dt, const HeadingOptions& options) {
   if (dt <= 0.0) return;
+  since_ += dt;
   if (!walks_) {
     const Eigen::Matrix4d F = glide(dt);
     x_.head<4>() = F * x_.head<4>();
@@ -57,7 +63,11 @@ void HeadingFilter::correct(const SeenPosition& seen, const HeadingOptions& opti
   const Eigen::Matrix2d S = P_.topLeftCorner<2, 2>() + seen.covariance;
   const Eigen::Matrix<double, 5, 2> PHt = P_.leftCols<2>();
   const Eigen::Matrix<double, 5, 2> K = S.ldlt().solve(PHt.transpose()).transpose();
-  x_ += K * (seen.position - position());
+  const Vector2 innovation = seen.position - position();
+  surprise_ += std::min(1.0, since_ / kSurpriseMemory) *
+               (innovation.dot(S.ldlt().solve(innovation)) / 2.0 - surprise_);
+  since_ = 0.0;
+  x_ += K * innovation;
   // Joseph form, expanded: P - K (PH')' - (PH') K' + K S K'.
   const HeadingCovariance KHP = K * PHt.transpose();
   P_ += K * S * K.transpose() - KHP - KHP.transpose();
@@ -98,6 +108,16 @@ Vector2 HeadingFilter::velocity() const {
 Eigen::Matrix4d HeadingFilter::covariance() const {
   if (!walks_) return P_.topLeftCorner<4, 4>();
   return covariance_without_heading(x_, P_);
+}
+
+Eigen::Matrix4d HeadingFilter::true_covariance() const {
+  const double unseen = std::min(1.0, since_ / kSurpriseMemory);  // nobody looks: as it is foreseen
+  const double scale = std::clamp(kTrueShare * std::lerp(surprise_, 1.0, unseen), kLeastShare, 1.0);
+  Eigen::Matrix4d C = covariance();
+  C.bottomRightCorner<2, 2>() *= scale;
+  C.topRightCorner<2, 2>() *= std::sqrt(scale);
+  C.bottomLeftCorner<2, 2>() *= std::sqrt(scale);
+  return C;
 }
 
 }  // namespace bw::people

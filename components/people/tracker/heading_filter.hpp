@@ -56,7 +56,10 @@ class HeadingFilter {
 
   Vector2 position() const { return x_.head<2>(); }
   Vector2 velocity() const;
-  Eigen::Matrix4d covariance() const;  ///< of (x, y, vx, vy)
+  Eigen::Matrix4d covariance() const;  ///< of (x, y, vx, vy), as the filter foresees
+  /// As it turns out. The noise that lets the filter follow turns and stops is too much for the rest of the time: a
+  /// velocity is as sure as the last innovations were small.
+  Eigen::Matrix4d true_covariance() const;
 
   bool walks() const { return walks_; }                      ///< whether there is a heading
   double turn_rate() const { return walks_ ? x_[4] : 0.0; }  ///< [rad/s]
@@ -65,6 +68,8 @@ class HeadingFilter {
   void choose_form(const HeadingOptions& options);
 
   bool walks_ = false;
+  double surprise_ = 1.0;                  ///< mean squared innovation over what was foreseen, lately
+  double since_ = 0.0;                     ///< predicted since the last correction [s]
   HeadingState x_ = HeadingState::Zero();  ///< (x, y, theta, v, omega), or (x, y, vx, vy, 0)
   HeadingCovariance P_ = HeadingCovariance::Zero();
 };

@@ -17,10 +17,9 @@ struct Motion {
 };
 
 Motion motion_of(const PersonTrack& person) {
-  const auto of = [](const auto& filter) {
-    return Motion{filter.position(), filter.velocity(), filter.covariance()};
-  };
-  return person.heading ? of(*person.heading) : of(person.walker);
+  if (person.heading)
+    return {person.heading->position(), person.heading->velocity(), person.heading->true_covariance()};
+  return {person.walker.position(), person.walker.velocity(), person.walker.covariance()};
 }
 
 }  // namespace

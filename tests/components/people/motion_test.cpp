@@ -80,7 +80,7 @@ void print(const std::string& name, const std::vector<MotionScore>& scores,
 }
 
 // The default is to foresee people best: 2 % of 1.6 s ahead are what separates them in an hour of rooms, so
-// none may be better than it by as much. A covariance that promises too much has NEES above 2.
+// none may be better than it by as much. A true covariance has NEES 2; asked of the velocity is 1.5 to 2.5.
 TEST(Motion, ReportsTheBetterFilter) {
   const char* minutes = std::getenv("BANDWAGON_PEOPLE_MINUTES");
   const double seconds = minutes == nullptr ? 15.0 : 60.0 * std::atof(minutes);
@@ -92,12 +92,15 @@ TEST(Motion, ReportsTheBetterFilter) {
     print(candidate.name, scores, first);
     const MotionScore all = sum(scores);
     EXPECT_LE(chosen.straight[1].value(), 1.02 * all.straight[1].value()) << candidate.name;
-    EXPECT_LE(all.nees.value(), 2.0) << candidate.name;
   }
   // Asked 0.15 m/s, measured 0.126. The candidates that are as good have 0.123 to 0.126, the one that is
   // worse 0.140 in the same rooms: halfway is a loss.
   EXPECT_LE(chosen.score.velocity_rmse(), 0.133);
   EXPECT_LE(chosen.score.motp(), 0.10);
+  for (const Mean& nees : {chosen.nees, chosen.nees_steady}) {
+    EXPECT_GE(nees.value(), 1.5);
+    EXPECT_LE(nees.value(), 2.5);
+  }
 }
 
 }  // namespace
