@@ -10,11 +10,11 @@ namespace bw::slam {
 namespace {
 
 constexpr int kIterations = 10;
-constexpr double kGoodMatch = 0.6;         // share of inliers with which nothing else is searched for
-constexpr double kLeastMatch = 0.15;       // with less the scan says nothing
-constexpr double kHardlyMeets = 0.35;      // a scan of another place does at most
-constexpr double kHardlyMoved = 0.3;       // [m, rad] what is in view is the same
-constexpr double kRefinedFrom = 0.2;       // [m] up to which refinement finds the way by itself
+constexpr double kGoodMatch = 0.6;    // share of inliers with which nothing else is searched for
+constexpr double kLeastMatch = 0.15;  // with less the scan says nothing
+constexpr double kHardlyMeets = 0.5;  // less of a scan is in its place, and not behind a wall: another place
+constexpr double kHardlyMoved = 0.3;  // [m, rad] what is in view is the same
+constexpr double kRefinedFrom = 0.2;  // [m] up to which refinement finds the way by itself
 constexpr double kRefinedFromTurn = 0.05;  // [rad]
 constexpr double kSlightlyBetter = 0.02;
 constexpr double kBetterBy = 0.1;
@@ -93,12 +93,10 @@ ScanTracking::Match ScanTracking::match(const Scan& scan, const UncertainPose& p
 
 int ScanTracking::held(const Scan& scan, const Pose2& X_OB, const Refined& match) {
   if (!options_.holds_back) return 0;
-  if (match.inliers >= kGoodMatch) met_X_OB_ = X_OB;
-  double meets = match.inliers;
-  if (meets < kGoodMatch) {
-    // Of a scan that fits by chance many beams end behind walls.
-    meets *= 1.0 - seen_through(older_->surface.surfaces(), {{&scan.ranges}, {match.X}});
-  }
+  // Of a scan that fits another place by chance many beams end behind walls.
+  const double meets =
+      match.inliers * (1.0 - seen_through(older_->surface.surfaces(), {{&scan.ranges}, {match.X}}));
+  if (meets >= kGoodMatch) met_X_OB_ = X_OB;
   if (meets >= kHardlyMeets || scan.points.size() < kFewPoints) return held_ = 0;
   if (held_ > 0) return ++held_;
   const Pose2 moved = met_X_OB_ ? inverse(*met_X_OB_) * X_OB : Pose2{};
