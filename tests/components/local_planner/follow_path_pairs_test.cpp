@@ -102,12 +102,12 @@ TEST(FollowPathPairs, DriveTheHallwayAsWellAsTheNativeWay) {
       "m/s^3 (standard errors)\n",
       pairs, native_successes, action_successes, time.mean(), time.standard_error(), jerk.mean(),
       jerk.standard_error());
-  // Of few pairs only what is plainly worse shows: one lost drive, and a mean beyond a tenth of 22 s and 1.5
-  // m/s^3.
+  // Of few pairs only what is plainly worse shows: one lost drive, and a mean beyond a tenth of 22 s and a fifth of 1.5
+  // m/s^3, of which two pairs tell no more than 0.13.
   EXPECT_GE(action_successes, native_successes - 1);
   const bool is_full = pairs >= 40;
   EXPECT_LE(std::abs(time.mean()), is_full ? 3.0 * time.standard_error() : 2.2);
-  EXPECT_LE(std::abs(jerk.mean()), is_full ? 3.0 * jerk.standard_error() : 0.15);
+  EXPECT_LE(std::abs(jerk.mean()), is_full ? 3.0 * jerk.standard_error() : 0.3);
 }
 
 }  // namespace
