@@ -7,7 +7,7 @@
 
 #include <tf2_msgs/msg/tf_message.hpp>
 
-#include "components/localization/adaptor/kept_pose.hpp"
+#include "components/localization/adaptor/kept_pose_text.hpp"
 #include "components/localization/adaptor/localization_messages.hpp"
 #include "components/localization/adaptor/sensor_inputs.hpp"
 #include "components/localization/localization_parameters.hpp"

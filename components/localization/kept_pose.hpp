@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include <Eigen/Core>
 
@@ -18,10 +17,6 @@ struct KeptPose {
   Pose2 X_MB;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x, y, theta)
 };
-
-std::string to_text(const KeptPose& kept);
-/// Nothing where the text is no pose with a positive variance of each coordinate.
-std::optional<KeptPose> kept_pose(const std::string& text);
 
 /// What is known of the pose when the odometry goes on at `X_OB`: the covariance grows by a tenth of the way and of the
 /// turn that nobody measured, and by 2 cm and 0.02 rad. Nothing where the odometry cannot be the same one: earlier, or
