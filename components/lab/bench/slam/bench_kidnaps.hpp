@@ -28,9 +28,8 @@ struct Kidnap {
 };
 
 /// The map is made on the whole drive (a building_drive.hpp: a scan every fifth sample, its truth has headings); then
-/// the robot stands for a second, is put to another
-/// place of it without odometry's knowing, stands for a second more, and drives on as it did from there. A pose is right
-/// within 0.5 m and 10 degrees. Same arguments, same result. Throws ConfigError or std::runtime_error.
+/// the robot stands for a second, is put to another place of it without odometry's knowing, stands for a second more,
+/// and drives on as it did from there. A pose is right within 0.5 m and 10 degrees. Same arguments, same result. Throws ConfigError or std::runtime_error.
 std::vector<Kidnap> drive_kidnapped(const RecordedDrive& drive, const KidnapOptions& options);
 
 /// Prints a line for each building; writes JSON. Returns the exit status (0). Throws as drive_kidnapped().

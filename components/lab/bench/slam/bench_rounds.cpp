@@ -130,18 +130,16 @@ int bench_rounds(const BenchSlamArguments& arguments) {
   const slam::SlamOptions slam = slam::slam_options_of(arguments.set);
   ordered_json offices = ordered_json::array();
   for (int i = 0; i < arguments.seeds; ++i) {
-    const std::uint64_t seed = arguments.first + static_cast<std::uint64_t>(i);
-    buildings::BuildingDriveOptions options = arguments.drive;
-    if (arguments.calibrated) options.wheels = buildings::calibrated_wheels_of(options.base);
-    const std::vector<SlamRound> rounds = drive_slam_rounds(seed, arguments.rounds, options, slam);
-    std::printf("office %llu\n", static_cast<unsigned long long>(seed));
+    const buildings::BuildingDriveOptions options = drive_options(arguments, i);
+    const std::vector<SlamRound> rounds = drive_slam_rounds(options.seed, arguments.rounds, options, slam);
+    std::printf("office %llu\n", static_cast<unsigned long long>(options.seed));
     ordered_json lines = ordered_json::array();
     for (std::size_t k = 0; k < rounds.size(); ++k) {
       std::fputs(line_of(k + 1, rounds[k]).c_str(), stdout);
       lines.push_back(json_of(rounds[k]));
     }
     std::fputs(beside_third(rounds).c_str(), stdout);
-    offices.push_back({{"seed", seed}, {"rounds", lines}});
+    offices.push_back({{"seed", options.seed}, {"rounds", lines}});
   }
   write_json(arguments.json, {{"base", buildings::to_text(arguments.drive.base)}, {"offices", offices}});
   return 0;

@@ -155,6 +155,13 @@ ordered_json json_of(const Summary& s) {
 
 }  // namespace
 
+buildings::BuildingDriveOptions drive_options(const BenchSlamArguments& arguments, int i) {
+  buildings::BuildingDriveOptions options = arguments.drive;
+  options.seed = arguments.first + static_cast<std::uint64_t>(i);
+  if (arguments.calibrated) options.wheels = buildings::calibrated_wheels_of(options.base);
+  return options;
+}
+
 SlamDrive drive_slam(const buildings::Building& building, const buildings::BuildingDriveOptions& options,
                      const slam::SlamOptions& slam) {
   const RecordedDrive drive = buildings::drive_through(building, options);
@@ -213,9 +220,7 @@ int bench_slam(const BenchSlamArguments& arguments) {
   for (const buildings::BuildingKind kind : arguments.kinds) {
     std::vector<SlamDrive> of_kind;
     for (int i = 0; i < arguments.seeds; ++i) {
-      buildings::BuildingDriveOptions options = arguments.drive;
-      options.seed = arguments.first + static_cast<std::uint64_t>(i);
-      if (arguments.calibrated) options.wheels = buildings::calibrated_wheels_of(options.base);
+      const buildings::BuildingDriveOptions options = drive_options(arguments, i);
       of_kind.push_back(drive_slam(buildings::make_building(kind, options.seed), options, slam));
       std::fputs(line_of(of_kind.back()).c_str(), stdout);
       std::fflush(stdout);

@@ -23,6 +23,9 @@ struct BenchSlamArguments {
   std::string json;                       ///< output file; empty: none
 };
 
+/// Of the i-th seed.
+buildings::BuildingDriveOptions drive_options(const BenchSlamArguments& arguments, int i);
+
 /// What came of one drive.
 struct SlamDrive {
   std::string building;
