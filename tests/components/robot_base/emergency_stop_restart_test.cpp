@@ -18,6 +18,7 @@
 #include "runtime/ros/service_call.hpp"
 #include "runtime/ros/typed_topic.hpp"
 #include "tests/components/component_rig.hpp"
+#include "tests/components/robot_base/pressed.hpp"
 #include "tests/interop/eventually.hpp"
 #include "tests/interop/process.hpp"
 
@@ -30,12 +31,6 @@ using std_srvs::srv::Trigger;
 using testing::HasSubstr;
 using testing::StartsWith;
 namespace state = bandwagon_msgs::msg::BaseState_Constants;
-
-Bool pressed(bool is_pressed) {
-  Bool message;
-  message.data(is_pressed);
-  return message;
-}
 
 TEST(EmergencyStopFile, GivesBackWhatItWasGiven) {
   EmergencyStop::Record record{.cause = "pressed by \"x\": # 'y'\n- {", .pressed = {}};

@@ -14,6 +14,7 @@
 #include <std_srvs/srv/trigger.hpp>
 
 #include "tests/components/component_rig.hpp"
+#include "tests/components/robot_base/pressed.hpp"
 
 namespace bw {
 namespace {
@@ -25,12 +26,6 @@ using std_srvs::srv::Trigger;
 using testing::HasSubstr;
 using testing::StartsWith;
 namespace state = bandwagon_msgs::msg::BaseState_Constants;
-
-Bool pressed(bool is_pressed) {
-  Bool message;
-  message.data(is_pressed);
-  return message;
-}
 
 /// What somebody does at a time of the run [s].
 struct Deed {
