@@ -70,6 +70,16 @@ void FixedCount(benchmark::State& state) {
 }
 BENCHMARK(FixedCount)->Arg(500)->Arg(2000)->Arg(10000)->Arg(50000)->Unit(benchmark::kMicrosecond);
 
+/// Without the search of the whole map that asks now and then whether another place fits better.
+void FixedCountWithoutSearch(benchmark::State& state) {
+  ParticleFilterOptions options;
+  options.count.min_particles = options.count.max_particles = static_cast<int>(state.range(0));
+  options.resampling.n_eff_share = 1.0;
+  options.recovery.enabled = false;
+  update(state, options, MotionNoise::declared);
+}
+BENCHMARK(FixedCountWithoutSearch)->Arg(2000)->Unit(benchmark::kMicrosecond);
+
 /// With AMCL's motion noise and the count that the spread of the set asks for.
 void AdaptiveCount(benchmark::State& state) {
   ParticleFilterOptions options;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 #include "components/localization/particle_filter/vector_clones.hpp"
 #include "components/localization/particle_filter/vector_math.hpp"
@@ -58,15 +59,37 @@ void to_directions(const double* __restrict theta, float scale, std::size_t coun
   return static_cast<std::int32_t>(low < last ? low : last);
 }
 
-BW_VECTOR_CLONES
-void add_end(const Table table, float x, float y, std::size_t count, const float* __restrict log_p,
-             const float* __restrict column, const float* __restrict row, const float* __restrict cosine,
-             const float* __restrict sine, float* __restrict sum) {
+struct End {
+  float x, y;  // [m] in base_link
+};
+
+// Several beams at once: a particle is read, and its sum written, once for all of them.
+template <std::size_t kEnds>
+[[gnu::always_inline]] inline void add(const Table& table, const End* ends, std::size_t count,
+                                       const float* __restrict log_p, const float* __restrict column,
+                                       const float* __restrict row, const float* __restrict cosine,
+                                       const float* __restrict sine, float* __restrict sum) {
+  std::array<End, kEnds> end;
+  std::copy_n(ends, kEnds, end.begin());
   for (std::size_t i = 0; i < count; ++i) {
-    const std::int32_t to_column = clamped(column[i] + cosine[i] * x - sine[i] * y, table.last_column);
-    const std::int32_t to_row = clamped(row[i] + sine[i] * x + cosine[i] * y, table.last_row);
-    sum[i] += log_p[to_row * table.width + to_column];
+    float of_all = sum[i];
+    for (std::size_t b = 0; b < kEnds; ++b) {
+      const std::int32_t to_column =
+          clamped(column[i] + cosine[i] * end[b].x - sine[i] * end[b].y, table.last_column);
+      const std::int32_t to_row = clamped(row[i] + sine[i] * end[b].x + cosine[i] * end[b].y, table.last_row);
+      of_all += log_p[to_row * table.width + to_column];
+    }
+    sum[i] = of_all;
   }
+}
+
+BW_VECTOR_CLONES
+void add_ends(const Table table, const End* ends, std::size_t beams, std::size_t count,
+              const float* __restrict log_p, const float* __restrict column, const float* __restrict row,
+              const float* __restrict cosine, const float* __restrict sine, float* __restrict sum) {
+  std::size_t b = 0;
+  for (; b + 4 <= beams; b += 4) add<4>(table, ends + b, count, log_p, column, row, cosine, sine, sum);
+  for (; b < beams; ++b) add<1>(table, ends + b, count, log_p, column, row, cosine, sine, sum);
 }
 
 bool goes_through(const LikelihoodField& field, const Vector2& from, const Vector2& to) {
@@ -99,6 +122,8 @@ void add_log_weights(const LikelihoodField& field, const BeamEnds& ends, const P
                     field.origin().y(),
                     1.0 / field.resolution()};
   const double share = std::min(1.0, field.options().effective_beams / static_cast<double>(ends.size()));
+  std::vector<End> beams(ends.size());
+  for (std::size_t b = 0; b < beams.size(); ++b) beams[b] = {ends.x[b], ends.y[b]};
   Block block;
   for (std::size_t first = 0; first < particles.size(); first += kBlock) {
     const std::size_t count = std::min(kBlock, particles.size() - first);
@@ -107,10 +132,8 @@ void add_log_weights(const LikelihoodField& field, const BeamEnds& ends, const P
     to_directions(&particles.theta[first], static_cast<float>(table.cells_per_metre), count, block.cos.data(),
                   block.sin.data());
     block.sum.fill(0.0F);
-    for (std::size_t b = 0; b < ends.size(); ++b) {
-      add_end(table, ends.x[b], ends.y[b], count, table.log_p, block.column.data(), block.row.data(),
-              block.cos.data(), block.sin.data(), block.sum.data());
-    }
+    add_ends(table, beams.data(), beams.size(), count, table.log_p, block.column.data(), block.row.data(),
+             block.cos.data(), block.sin.data(), block.sum.data());
     for (std::size_t i = 0; i < count; ++i)
       log_weight[first + i] += share * static_cast<double>(block.sum[i]);
   }

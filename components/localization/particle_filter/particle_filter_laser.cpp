@@ -113,7 +113,7 @@ Outcome ParticleFilter::use(const LaserReading& reading) {
   X_OB_last_sweep_ = X_OS;
   use_next_sweep_ = false;
   source_watch(reading.source).note_compared(reading.time, true, 0.0, 0);
-  if (estimate_.share >= options_.particle_health.kSeveralPlaces &&
+  if (recovery_.searching_since() && estimate_.share >= options_.particle_health.kSeveralPlaces &&
       scan_fit(*field_, ends_, estimate_.X_MB).agreement() >= options_.recovery.kScanOk)
     recovery_.found(reading.time);
   return {};
@@ -123,6 +123,7 @@ Outcome ParticleFilter::use(const LaserReading& reading) {
 // While a pose is known only poses that agree clearly better count; else all that agree, or all.
 bool ParticleFilter::inject(const std::vector<PoseHypothesis>& poses, const Pose2& X_SB,
                             const BeamEnds& ends) {
+  if (poses.empty()) return false;
   const RecoveryOptions& o = options_.recovery;
   const bool known = !recovery_.pose_unknown(track_.newest());
   const ScanFit here = scan_fit(*field_, ends, estimate_.X_MB);
