@@ -24,7 +24,8 @@ struct DecisionTree {
     int node = 0;
     for (int depth = 0; depth < kDepth; ++depth) {
       const auto n = static_cast<std::size_t>(node);
-      node = 2 * node + (features[feature[n]] < threshold[n] ? 1 : 2);
+      // No branch: nothing foretells which way it goes.
+      node = 2 * node + 2 - static_cast<int>(features[feature[n]] < threshold[n]);
     }
     return leaf[static_cast<std::size_t>(node - kNodes)];
   }

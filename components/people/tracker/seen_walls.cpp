@@ -1,31 +1,17 @@
 #include "components/people/tracker/seen_walls.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace bw::people {
 namespace {
 
-constexpr double kCell = 0.1;         // [m]
-constexpr float kWallAge = 1.0F;      // [s] what stands so long is a wall
-constexpr float kPause = 0.5F;        // [s] within which the next beam must end there
-constexpr float kRemembered = 30.0F;  // [s] for so long odometry is good enough to remember positions
-constexpr double kPerson = 0.5;       // [m] about people nothing is a wall
-constexpr double kGap = 0.3;          // [m] between points of neighbouring beams, nobody fits through
-constexpr double kFarthest = 1e6;     // [m]
+constexpr float kPause = 0.5F;   // [s] within which the next beam must end there
+constexpr double kPerson = 0.5;  // [m] about people nothing is a wall
+constexpr double kGap = 0.3;     // [m] between points of neighbouring beams, nobody fits through
 
 }  // namespace
 
 SeenWalls::SeenWalls() : cells_(static_cast<std::size_t>(kSide) * kSide) {}
-
-std::int32_t SeenWalls::to_cell(double coordinate) {
-  return static_cast<std::int32_t>(std::floor(coordinate / kCell));
-}
-
-std::size_t SeenWalls::slot_of(std::int32_t column, std::int32_t row) {
-  const auto wrapped = [](std::int32_t i) { return static_cast<std::size_t>(i & (kSide - 1)); };
-  return wrapped(row) * kSide + wrapped(column);
-}
 
 void SeenWalls::add(const DetectionSet& sweep, double now, std::span<const Vector2> people) {
   now_ = static_cast<float>(now);
@@ -41,8 +27,7 @@ void SeenWalls::add(const DetectionSet& sweep, double now, std::span<const Vecto
     const auto near = [&](const Vector2& person) {
       return (person - point).squaredNorm() < kPerson * kPerson;
     };
-    if (!(range > 0.0F && range < nothing) || !(point.norm() < kFarthest) ||
-        std::ranges::any_of(people, near)) {
+    if (!(range > 0.0F && range < nothing) || !is_near(point) || std::ranges::any_of(people, near)) {
       before = nullptr;
       continue;
     }
@@ -60,15 +45,6 @@ void SeenWalls::mark(const Vector2& p_S) {
   const bool stood = same && cell.last - cell.since >= kWallAge;
   if (!same || (!stood && now_ - cell.last > kPause)) cell = {column, row, now_, now_};
   cell.last = now_;
-}
-
-bool SeenWalls::contains(const Vector2& p_S) const {
-  if (!(p_S.norm() < kFarthest)) return false;
-  const std::int32_t column = to_cell(p_S.x());
-  const std::int32_t row = to_cell(p_S.y());
-  const Cell& cell = cells_[slot_of(column, row)];
-  return cell.column == column && cell.row == row && cell.last - cell.since >= kWallAge &&
-         now_ - cell.last <= kRemembered;
 }
 
 void SeenWalls::reset() { std::ranges::fill(cells_, Cell{}); }

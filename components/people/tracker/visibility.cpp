@@ -18,7 +18,7 @@ std::optional<double> room_behind(const DetectionSet& sweep, const Vector2& posi
   double angle = std::atan2(to_position.y(), to_position.x()) - sweep.angle_min;
   if (sweep.angle_increment < 0.0) angle = -angle;
   angle -= kTwoPi * std::floor(angle / kTwoPi);
-  const double beam = std::round(angle / std::abs(sweep.angle_increment));
+  const double beam = angle / std::abs(sweep.angle_increment) + 0.5;  // rounded by what follows
   if (!(beam < static_cast<double>(sweep.free_ranges.size()))) return std::nullopt;
   const double range = static_cast<double>(sweep.free_ranges[static_cast<std::size_t>(beam)]);
   if (!(range > 0.0)) return std::nullopt;
