@@ -12,12 +12,13 @@ namespace bw::teb {
 
 struct BandCandidate {
   Band band;
-  std::string label;     ///< where it came from, for people
-  bool kept = false;     ///< a band of the last cycle
-  bool spare = false;    ///< was one too many then: goes on only where its topology is looked for again
-  bool driven = false;   ///< the one the robot followed in the last cycle
-  bool settled = false;  ///< was a kept band already when it was chosen: its cost had converged
-  bool evasive = false;  ///< goes on from an evasive move, not optimised since
+  std::string label;        ///< where it came from, for people
+  bool kept = false;        ///< a band of the last cycle
+  bool spare = false;       ///< was one too many then: goes on only where its topology is looked for again
+  bool driven = false;      ///< the one the robot followed in the last cycle
+  bool settled = false;     ///< was a kept band already when it was chosen: its cost had converged
+  bool along_plan = false;  ///< begun along the plan: the others are compared with what it comes to
+  bool evasive = false;     ///< goes on from an evasive move, not optimised since
 
   // Of improve():
   BandReport report;

@@ -39,16 +39,36 @@ double share_in_choice(const BandScene& scene) {
   return uncertainty.factor > 0.0 ? uncertainty.in_choice : 1.0;
 }
 
-// What unsure predictions cost the band and do not count in the choice: that much more may it cost than its
-// rival.
-double cost_beyond_choice(const Band& band, BandProblem& problem, BandEvaluation& evaluation) {
+// What a band saves in the time term by intervals shorter than dt_ref, which is not a way that is better.
+double saved_by_cutting(const Band& band, const BandOptions& options) {
+  double saved = 0.0;
+  for (std::size_t i = 0; i + 1 < band.size(); ++i)
+    saved += options.weights.time * band.poses[i].dt * (options.dt_ref - band.poses[i].dt);
+  return saved;
+}
+
+// What the solver minimises beyond what counts in the choice: that much more may it cost than its rival.
+double cost_beyond_choice(const Band& band, const BandOptions& options, BandProblem& problem,
+                          BandEvaluation& evaluation) {
+  const double cut = saved_by_cutting(band, options);
   const double share = share_in_choice(problem.scene);
-  if (share == 1.0 || !evaluation.evaluate(band.poses.data())) return 0.0;
+  if (share == 1.0 || !evaluation.evaluate(band.poses.data())) return -cut;
   const double all = evaluation.cost().obstacle;
   problem.clearance_model.unsure_share = share;
   evaluation.evaluate(band.poses.data());
   problem.clearance_model.unsure_share = 1.0;
-  return all - evaluation.cost().obstacle;
+  return all - evaluation.cost().obstacle - cut;
+}
+
+// What counts in the choice.
+void add_cost(const Band& band, const BandOptions& options, BandProblem& problem, BandEvaluation& evaluation,
+              BandReport& report) {
+  problem.clearance_model = ClearanceModel(options, problem.scene.obstacles->footprint, 1.0);
+  problem.clearance_model.unsure_share = share_in_choice(problem.scene);
+  evaluation.evaluate(band.poses.data());
+  report.obstacle_cost = evaluation.cost().obstacle;
+  report.cost = evaluation.cost().total() + saved_by_cutting(band, options);
+  for (const PoseTerms& terms : problem.terms) report.left_out += terms.left_out;
 }
 
 }  // namespace
@@ -71,7 +91,7 @@ BandReport optimize(Band& band, const BandScene& scene, const BandOptions& optio
     const int iterations = std::min(inner, effort.max_iterations - report.iterations);
     if (iterations > 0) {
       SolveLimits limits{iterations, options.function_tolerance, effort.rival};
-      if (std::isfinite(limits.rival)) limits.rival += cost_beyond_choice(band, problem, evaluation);
+      if (std::isfinite(limits.rival)) limits.rival += cost_beyond_choice(band, options, problem, evaluation);
       // A plan through a crowd is far from done after a first plan's iterations.
       if (!warm && i + 1 == outer)
         limits.overtime =
@@ -82,13 +102,15 @@ BandReport optimize(Band& band, const BandScene& scene, const BandOptions& optio
       if (!report.usable) return report;
     }
     if (i + 1 == rounds) {
-      problem.clearance_model = ClearanceModel(options, scene.obstacles->footprint, 1.0);
-      problem.clearance_model.unsure_share = share_in_choice(scene);
-      evaluation.evaluate(band.poses.data());
-      const BandCost& cost = evaluation.cost();
-      report.obstacle_cost = cost.obstacle;
-      report.cost = cost.total();
-      for (const PoseTerms& terms : problem.terms) report.left_out += terms.left_out;
+      report.finished = rounds == outer;
+      // A first plan has moved away from the obstacles that were near it before.
+      if (warm || !report.finished) {
+        add_cost(band, options, problem, evaluation, report);
+      } else {
+        BandProblem moved(band, scene, options, 1.0);
+        BandEvaluation evaluation_there(moved);
+        add_cost(band, options, moved, evaluation_there, report);
+      }
     }
   }
   for (BandPose& pose : band.poses) pose.theta = wrap_angle(pose.theta);

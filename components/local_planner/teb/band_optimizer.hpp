@@ -20,7 +20,8 @@ struct BandScene {
 };
 
 struct BandReport {
-  bool usable = false;  ///< finite, and the solver did not fail
+  bool usable = false;    ///< finite, and the solver did not fail
+  bool finished = false;  ///< no solve of its plan is left: only then does `cost` compare with that of others
   /// For the choice: sum of squared weighted residuals, without growth of the obstacle weights, and with the
   /// share Uncertainty::in_choice of what unsure predictions cost.
   double cost = 0.0;

@@ -28,7 +28,7 @@ std::size_t select(const std::vector<BandCandidate>& candidates, const Selection
   }
   const auto rank = [&](const BandCandidate& c) {
     const double cost = c.driven && c.settled ? options.cost_hysteresis * c.cost : c.cost;
-    return std::tuple(!c.safety.free, !c.report.usable, cost);
+    return std::tuple(!c.safety.free, !c.report.usable, !c.report.finished, cost);
   };
   const auto better = [&](const BandCandidate& l, const BandCandidate& r) { return rank(l) < rank(r); };
   return static_cast<std::size_t>(std::min_element(candidates.begin(), candidates.end(), better) -

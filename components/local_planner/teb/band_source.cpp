@@ -54,7 +54,8 @@ BandSource band_per_topology(const homotopy::HomotopyOptions& homotopy, const Ba
       found.candidates.push_back({.band = path.is_plan ? along_plan
                                                        : band_along(path_of(path.route, problem.plan.back()),
                                                                     problem.pose, problem.limits, band),
-                                  .label = path.label});
+                                  .label = path.label,
+                                  .along_plan = path.is_plan});
     }
     found.merge = [homotopy, explored = std::move(explored)](std::vector<BandCandidate>& candidates) {
       merge_classes(candidates, explored, homotopy);

@@ -1,6 +1,7 @@
 #include "components/local_planner/teb/band_topology.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace bw::teb {
@@ -42,8 +43,10 @@ void merge_classes(std::vector<BandCandidate>& candidates, const homotopy::Explo
     }
     BandCandidate& known = distinct[static_cast<std::size_t>(same - signatures.begin())];
     const bool driven = known.driven || candidate.driven;
-    if (std::pair(!candidate.safety.free, candidate.cost) < std::pair(!known.safety.free, known.cost))
-      known = std::move(candidate);
+    const auto rank = [](const BandCandidate& c) {
+      return std::tuple(!c.safety.free, !c.report.finished, c.cost);
+    };
+    if (rank(candidate) < rank(known)) known = std::move(candidate);
     known.driven = driven;
   }
   if (!distinct.empty()) candidates = std::move(distinct);

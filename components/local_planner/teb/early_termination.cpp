@@ -61,7 +61,7 @@ class EarlyTermination {
     return options_.weights.time * options_.dt_ref * c.band.duration() + c.report.obstacle_cost;
   }
 
-  // The most promising first: with what it comes to the others are compared.
+  // The one along the plan first, then the most promising: with what it comes to the others are compared.
   void finish_plans() {
     std::vector<BandCandidate*> open;
     for (BandCandidate& c : candidates_) {
@@ -71,7 +71,8 @@ class EarlyTermination {
         open.push_back(&c);
       }
     }
-    std::ranges::stable_sort(open, {}, [this](const BandCandidate* c) { return outlook(*c); });
+    std::ranges::stable_sort(
+        open, {}, [this](const BandCandidate* c) { return std::pair(!c->along_plan, outlook(*c)); });
     for (BandCandidate* c : open) {
       if (outlook(*c) >= kWorthFinishing * rival_) break;
       work(*c, {.first_round = 1, .rival = rival_});
@@ -80,7 +81,8 @@ class EarlyTermination {
   }
 
   void compare_with(const BandCandidate& c) {
-    if (!c.report.usable || !c.safety.free || c.safety.comfort < driving_.mover_margin) return;
+    if (!c.report.usable || !c.report.finished || !c.safety.free || c.safety.comfort < driving_.mover_margin)
+      return;
     const bool has_advantage = c.driven && c.settled;
     rival_ = std::min(rival_, has_advantage ? termination_.cost_hysteresis * c.cost : c.cost);
   }

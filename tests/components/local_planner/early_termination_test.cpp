@@ -100,6 +100,48 @@ TEST(EarlyTermination, WithADrivenBandThatIsNotFreeNobodyLoses) {
   EXPECT_EQ(candidates[0].report.iterations, left.iterations);
 }
 
+/// The dearer one along the plan comes first: what the other comes to does not decide whether it is finished.
+TEST(EarlyTermination, TheBandAlongThePlanIsFinishedInAFirstPlan) {
+  const AroundADisc scene;
+  std::vector<BandCandidate> candidates{scene.on_side(3.4), scene.on_side(-0.1)};
+  candidates[0].along_plan = true;
+  const BandReport left = scene.alone(candidates[0]);
+  scene.improve_both(candidates, true);
+  EXPECT_TRUE(candidates[0].report.finished);
+  EXPECT_EQ(candidates[0].report.cost, left.cost);
+  EXPECT_TRUE(candidates[1].report.finished);
+}
+
+TEST(Select, AnUnfinishedBandIsNotRankedBesideAFinishedOne) {
+  std::vector<BandCandidate> candidates(2);
+  for (BandCandidate& candidate : candidates) candidate.report.usable = candidate.safety.free = true;
+  candidates[0].cost = 1.0;
+  candidates[1].cost = 2.0;
+  candidates[1].report.finished = true;
+  EXPECT_EQ(select(candidates, {}, 1.0), 1U);
+  candidates[1].safety.free = false;  // but one that is free comes before one that is not
+  EXPECT_EQ(select(candidates, {}, 1.0), 0U);
+}
+
+/// 6 s in intervals of 0.25 s cost as many of dt_ref = 0.3 s would: 0.3 * 6, not 24 * 0.25^2 = 1.5.
+TEST(BandReport, TimeCountsAtTheReferenceInterval) {
+  const AroundADisc scene;
+  Band band;
+  for (int i = 0; i <= 24; ++i) band.poses.push_back({0.25 * i, 0.0, 0.0, i < 24 ? 0.25 : 0.0});
+  BandOptions options;
+  options.weights = {.time = 1.0,
+                     .kinematics_nh = 0.0,
+                     .forward_drive = 0.0,
+                     .max_vel_x = 0.0,
+                     .max_vel_theta = 0.0,
+                     .acc_lim_x = 0.0,
+                     .acc_lim_theta = 0.0,
+                     .obstacle = 0.0,
+                     .inflation = 0.0};
+  const BandScene at{scene.problem.limits, {}, true, &scene.field};
+  EXPECT_NEAR(optimize(band, at, options, 0).cost, 0.3 * 6.0, 1e-9);
+}
+
 TEST(WorthKeeping, OneBandTooManyStaysAsASpare) {
   std::vector<BandCandidate> candidates(5);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
