@@ -17,6 +17,8 @@
 //                                   # follow in rank order
 //   snapshot: {keep: 30s, on: [contact], to: near_misses}    # snapshot_settings.hpp
 //   emulate: true                 # devices of the robot are emulated (emulation.hpp): run --emulate
+//   faults: {...}                 # what goes wrong, and when (fault_settings.hpp): a file or a map
+//   processes: {planning: {memory: 800MB, cpu: 1.5}}    # what each may take (process_limits.hpp)
 //   tolerances: {...}               # of replays (runtime/recording/replay/tolerances.hpp): a file or a map
 //   components:
 //     local_planner:                # the node's name; the order is the rank
@@ -47,6 +49,7 @@
 #include "runtime/base/time.hpp"
 #include "runtime/graph/emulation.hpp"
 #include "runtime/graph/names.hpp"
+#include "runtime/graph/process_limits.hpp"
 #include "runtime/graph/snapshot_settings.hpp"
 #include "runtime/parameters/config_node.hpp"
 
@@ -107,12 +110,13 @@ struct Graph {
   std::filesystem::path path;
   GraphSettings settings;
   std::map<std::string, ConfigNode>
-      shared;             ///< sections such as `robot`, overrides applied; absent if not given
+      shared;             ///< sections such as `robot` and `faults`, overrides applied; absent if not given
   ConfigNode tolerances;  ///< by how much a replay may differ; a map or nothing
-  std::optional<SnapshotSettings> snapshot;  ///< absent if not given
-  std::vector<ComponentNode> components;     ///< in rank order
-  std::vector<std::string> bring_up;         ///< names of components that come up first, in this order
-  std::vector<std::string> robots;           ///< empty: one, without a name
+  std::optional<SnapshotSettings> snapshot;     ///< absent if not given
+  std::vector<ComponentNode> components;        ///< in rank order
+  std::vector<std::string> bring_up;            ///< names of components that come up first, in this order
+  std::vector<std::string> robots;              ///< empty: one, without a name
+  std::map<std::string, ProcessLimits> limits;  ///< by process
 
   const ComponentNode* find(std::string_view component) const;
   /// Names of the processes, in the order of their first components.
@@ -124,7 +128,7 @@ struct Graph {
   std::vector<const ComponentNode*> bring_up_order() const;
 };
 
-/// Overrides are `component.param=value`, `component.enabled=true|false`, `section.param=value`,
+/// Overrides are `component.param=value`, `component.enabled=true|false`, `component.process=NAME`, `section.param=value`,
 /// `section=FILE`, `ros_distro=NAME` or `emulate=true`, which comes after those of sections and before those
 /// of components; of several robots each is meant, one alone by `robot/component.param=value`. Throws
 /// ConfigError with all violations that were found.

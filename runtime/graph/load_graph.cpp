@@ -14,7 +14,7 @@
 namespace bw {
 namespace {
 
-constexpr std::array<std::string_view, 1> kSharedSections = {"robot"};
+constexpr std::array<std::string_view, 2> kSharedSections = {"robot", "faults"};
 constexpr Duration kMaxLatency = Duration::milliseconds(10'000);
 constexpr Duration kMaxAge = Duration::milliseconds(3'600'000);
 constexpr Duration kShortestAge = Duration::milliseconds(1);
@@ -30,6 +30,17 @@ bool is_for_section(const Override& change) {
 
 bool is_emulate(const Override& change) { return change.path == std::vector<std::string>{"emulate"}; }
 
+/// Of processes, lanes and types.
+std::optional<std::string> label_rule(std::string_view name) {
+  const auto is_allowed = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-' || c == '+';
+  };
+  if (!name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), is_allowed))
+    return std::nullopt;
+  return "must be a name: at most 64 letters, digits, _, - and +";
+}
+
 class GraphReader {
  public:
   Graph read(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
@@ -39,6 +50,7 @@ class GraphReader {
     throw_if_any(violations_);
     read_top(root);
     apply(overrides);
+    if (processes_) graph_.limits = read_process_limits(*processes_, graph_.processes(), violations_);
     check_followers();
     check_distro();
     throw_if_any(std::move(violations_));
@@ -60,16 +72,6 @@ class GraphReader {
     const ConfigNode* node = map.find(name);
     if (node == nullptr || violations_.size() > before) return;
     if (std::optional<std::string> broken = rule(value)) reader.refuse(*node, name, *broken);
-  }
-
-  static std::optional<std::string> label_rule(std::string_view name) {
-    const auto is_allowed = [](char c) {
-      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-             c == '-' || c == '+';
-    };
-    if (!name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), is_allowed))
-      return std::nullopt;
-    return "must be a name: at most 64 letters, digits, _, - and +";
   }
 
   static std::optional<std::string> frame_prefix_rule(std::string_view prefix) {
@@ -158,6 +160,7 @@ class GraphReader {
     }
     give_to_robots(graph_, reader.find("robots"), shared_, violations_);
     if (const ConfigNode* names = reader.find("bring_up")) read_bring_up(*names);
+    if (const ConfigNode* processes = reader.find("processes")) processes_ = *processes;
     reader.refuse_unknown_keys();
   }
 
@@ -311,17 +314,26 @@ class GraphReader {
   }
 
   Graph graph_;
-  std::vector<std::string> shared_;  ///< components of which there is one for all robots
+  std::vector<std::string> shared_;      ///< components of which there is one for all robots
+  std::optional<ConfigNode> processes_;  ///< which there are is known in the end
   std::vector<Violation> violations_;
   Location distro_where_;                  ///< where it is said, or ought to be
   std::optional<Location> emulate_where_;  ///< where the graph asks for it
 };
 
-/// Switches the component on or off; false when the override means something else.
+/// Switches the component on or off, or puts it into another process; false when the override means something else.
 bool switch_component(ComponentNode& node, const Override& change) {
-  if (change.path.size() != 2 || change.path.back() != "enabled") return false;
+  if (change.path.size() != 2) return false;
   std::vector<Violation> violations;
-  read_value(change.value, change.key(), {}, node.enabled, violations);
+  if (change.path.back() == "enabled") {
+    read_value(change.value, change.key(), {}, node.enabled, violations);
+  } else if (change.path.back() == "process") {
+    read_value(change.value, change.key(), {}, node.process, violations);
+    if (const auto rule = label_rule(node.process); rule && violations.empty())
+      violations.push_back({change.value.where, change.key(), node.process, *rule});
+  } else {
+    return false;
+  }
   throw_if_any(std::move(violations));
   return true;
 }
@@ -335,6 +347,9 @@ bool set_distro(Graph& graph, const Override& change) {
   return true;
 }
 
+/// Of the files of a section that go by a name.
+std::string folder_of(const std::string& section) { return section.ends_with('s') ? section : section + "s"; }
+
 /// A whole shared section from a file: robot=FILE, where the command line stands, or robot=NAME. False when
 /// the override means something else.
 bool set_section(Graph& graph, const Override& change) {
@@ -345,7 +360,7 @@ bool set_section(Graph& graph, const Override& change) {
   if (!change.value.is_scalar())
     throw ConfigError(Violation{change.value.where, change.key(), change.value.text(), "must be a file"});
   ConfigNode section = load_yaml(std::filesystem::absolute(
-      config_file(change.path.front() + "s", change.value.scalar, change.value.where)));
+      config_file(folder_of(change.path.front()), change.value.scalar, change.value.where)));
   if (!section.is_map())
     throw ConfigError(Violation{section.where, change.key(), section.text(), "must be a map of parameters"});
   graph.shared[change.path.front()] = std::move(section);

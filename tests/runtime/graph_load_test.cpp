@@ -233,7 +233,7 @@ TEST(LoadGraph, RefusesOverridesOfWhatIsNotThere) {
             "--set: world = 1: must have the form component.param=value");
   EXPECT_EQ(refusal("components: {world: {parameters: {a: 1}}}", {"world.a.b=1", "x.y=2", "world.c=3"}),
             "--set: world.a.b = 1: 'a' has no parts, it is 1\n"
-            "--set: x.y = 2: unknown component; known: robot, world");
+            "--set: x.y = 2: unknown component; known: robot, faults, world");
 }
 
 TEST(ResolveName, FollowsTheRulesOfRos) {
@@ -263,6 +263,37 @@ TEST(TopicNameRule, AcceptsWhatRosAccepts) {
   }
   EXPECT_EQ(topic_name_rule(std::string(247, 'a')), std::nullopt);
   EXPECT_EQ(topic_name_rule(std::string(248, 'a')), "must be at most 247 characters long");
+}
+
+TEST(LoadGraph, ReadsWhatEachProcessMayTake) {
+  const Folder folder;
+  const Graph graph = load_graph(folder.write("g.yaml", R"(
+processes: {planning: {memory: 800MB, cpu: 1.5}, rest: {}}
+components: {a: {process: planning}, b: {process: rest}}
+)"));
+  EXPECT_EQ(graph.limits.at("planning").memory, 800'000'000U);
+  EXPECT_EQ(graph.limits.at("planning").cpu, 1.5);
+  EXPECT_FALSE(graph.limits.at("rest").memory);
+  EXPECT_FALSE(graph.limits.at("rest").cpu);
+  const auto said = [](const std::string& section) {
+    return refusal("processes: " + section + "\ncomponents: {a: {process: planning}}\n");
+  };
+  EXPECT_EQ(said("{planing: {}}"), "g.yaml:1: processes.planing: unknown process; did you mean 'planning'?");
+  EXPECT_EQ(said("{planning: {memory: 1MB}}"),
+            "g.yaml:1: processes.planning.memory = 1MB: must be a size of at least 100MB, such as 800MB");
+  EXPECT_EQ(said("{planning: {cpu: 0}}"),
+            "g.yaml:1: processes.planning.cpu = 0: must be between 0.05 and 1024 cores");
+  EXPECT_EQ(said("{planning: {cores: 2}}"),
+            "g.yaml:1: processes.planning.cores: unknown key; known: memory, cpu");
+}
+
+TEST(LoadGraph, PutsAComponentIntoAnotherProcess) {
+  const Folder folder;
+  const auto path = folder.write("g.yaml", "components: {a: {process: one}, b: {process: one}}\n");
+  const Graph graph = load_graph(path, {"a.process=two"});
+  EXPECT_EQ(graph.find("a")->process, "two");
+  EXPECT_EQ(graph.find("b")->process, "one");
+  EXPECT_THROW(static_cast<void>(load_graph(path, {"a.process=no name"})), ConfigError);
 }
 
 }  // namespace
