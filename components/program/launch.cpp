@@ -1,6 +1,7 @@
 // `bandwagon launch`: a graph with one process per `process:`, looked after by this one, or by systemd.
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <ctime>
 #include <filesystem>
@@ -105,7 +106,12 @@ std::vector<SupervisedProgram> programs_of(const Graph& graph, const RunOptions&
     command.insert(command.end(), words.run.begin(), words.run.end());
     if (run.json.empty() && !logs.empty())
       command.push_back("--json=" + (logs / (process + ".json")).string());
-    programs.push_back({.name = process, .command = [command](int) { return command; }});
+    SupervisedProgram& added = programs.emplace_back(
+        SupervisedProgram{.name = process, .command = [command](int) { return command; }});
+    if (const auto limits = graph.limits.find(process); limits != graph.limits.end()) {
+      added.memory = limits->second.memory;
+      if (limits->second.cpu) added.cores = static_cast<int>(std::ceil(*limits->second.cpu));
+    }
   }
   return programs;
 }

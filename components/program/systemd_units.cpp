@@ -40,8 +40,16 @@ std::string command_line(const std::vector<std::string>& words) {
   return text;
 }
 
+/// As a process beyond its memory is killed and started again: the others do not notice.
+std::string limits_of(const ProcessLimits& limits) {
+  std::string text;
+  if (limits.memory) text += fmt::format("MemoryMax={}\nMemorySwapMax=0\nOOMPolicy=kill\n", *limits.memory);
+  if (limits.cpu) text += fmt::format("CPUQuota={:g}%\n", 100.0 * *limits.cpu);
+  return text;
+}
+
 std::string service(const std::string& unit, const std::string& target, const std::string& graph,
-                    const SupervisedProgram& program) {
+                    const SupervisedProgram& program, const ProcessLimits& its_limits) {
   const SupervisionLimits limits;
   return fmt::format(
       "# Written by `bandwagon launch --systemd`, which writes it anew; changes of one's own: systemctl edit.\n"
@@ -71,13 +79,14 @@ std::string service(const std::string& unit, const std::string& target, const st
       "# What a killed process leaves for the next one: its goal, its pose.\n"
       "RuntimeDirectory={unit}\n"
       "RuntimeDirectoryPreserve=restart\n"
+      "{limits}"
       "\n{hardening}",
       fmt::arg("process", program.name), fmt::arg("unit", unit), fmt::arg("graph", graph),
       fmt::arg("target", target), fmt::arg("window", limits.window.to_seconds()),
       fmt::arg("starts", limits.restarts + 1), fmt::arg("command", command_line(program.command(1))),
       fmt::arg("watchdog", limits.watchdog.nanoseconds / 1'000'000),
       fmt::arg("ready", limits.ready.to_seconds()), fmt::arg("stop", limits.stop.to_seconds()),
-      fmt::arg("hardening", kSystemdHardening));
+      fmt::arg("limits", limits_of(its_limits)), fmt::arg("hardening", kSystemdHardening));
 }
 
 }  // namespace
@@ -93,10 +102,12 @@ void write_units(const std::filesystem::path& folder, const Graph& graph,
   std::string wants;
   for (const SupervisedProgram& program : programs) {
     const std::string unit = target + "-" + unit_name(program.name);
+    const auto limits = graph.limits.find(program.name);
     if (wants.find("=" + unit + ".") != std::string::npos)
       throw std::runtime_error("--systemd: two processes would have the unit " + unit + "; rename one");
     wants += "Wants=" + unit + ".service\n";
-    write(unit + ".service", service(unit, target, name, program));
+    write(unit + ".service", service(unit, target, name, program,
+                                     limits == graph.limits.end() ? ProcessLimits{} : limits->second));
   }
   write(target + "-stop.service",
         fmt::format(

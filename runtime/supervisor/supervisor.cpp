@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 #include <poll.h>
+#include <sched.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -30,6 +32,26 @@ using Act = SupervisedProcess::Act;
 
 Duration steady_now() {
   return Duration{std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count()};
+}
+
+/// Of a child that begins: what it takes later counts, and is inherited by what it starts.
+void limit(pid_t child, const SupervisedProgram& program) {
+  if (program.memory) {
+    const rlimit most{.rlim_cur = *program.memory, .rlim_max = *program.memory};
+    prlimit(child, RLIMIT_DATA, &most, nullptr);
+  }
+  cpu_set_t mine;
+  if (!program.cores || sched_getaffinity(0, sizeof(mine), &mine) != 0) return;
+  // The last of those that we may use: who has no limit has the first to himself.
+  cpu_set_t its;
+  CPU_ZERO(&its);
+  int left = *program.cores;
+  for (int core = CPU_SETSIZE - 1; core >= 0 && left > 0; --core) {
+    if (!CPU_ISSET(core, &mine)) continue;
+    CPU_SET(core, &its);
+    --left;
+  }
+  sched_setaffinity(child, sizeof(its), &its);
 }
 
 struct Child {
@@ -130,6 +152,7 @@ class Supervisor {
         {"NOTIFY_SOCKET", path_.string()},
         {"WATCHDOG_USEC", std::to_string(options_.limits.watchdog.nanoseconds / 1000)},
         {"BANDWAGON_STARTED_AGAIN", child.plan.last_end()},
+        {"BANDWAGON_LAUNCHED_AT", std::to_string(began_.nanoseconds)},
         {"RUNTIME_DIRECTORY", (kept_ / child.program.name).string()}};
     child.plan.started(steady_now());
     try {
@@ -140,6 +163,7 @@ class Supervisor {
                                                              .environment = std::move(environment),
                                                              .outputs = std::pair(out.get(), err.get()),
                                                              .is_apart = true});
+      limit(child.process->id(), child.program);
       child.end = Descriptor(static_cast<int>(syscall(SYS_pidfd_open, child.process->id(), 0)));
     } catch (const std::runtime_error& error) {
       return ended(child, 127, error.what());
@@ -255,6 +279,7 @@ class Supervisor {
   CredentialSocket socket_;
   RotatingLog log_;
   std::vector<std::unique_ptr<Child>> children_;
+  const Duration began_ = steady_now();
   std::set<pid_t> strangers_;
   bool ends_ = false;
 };

@@ -2,9 +2,11 @@
 // NOTIFY_SOCKET (runtime/host/service_manager.hpp), where no systemd is. Nothing that stops the robot depends on it.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +19,9 @@ struct SupervisedProgram {
   std::string name;
   /// Of the start with this number, from 1 on: a path and its arguments.
   std::function<std::vector<std::string>(int start)> command;
-  bool ends_last = false;  ///< it hears the others: a recorder
+  bool ends_last = false;                              ///< it hears the others: a recorder
+  std::optional<std::uint64_t> memory = std::nullopt;  ///< [bytes] more it does not get (RLIMIT_DATA)
+  std::optional<int> cores = std::nullopt;             ///< it runs on no more
 };
 
 struct SupervisorOptions {
