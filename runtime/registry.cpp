@@ -5,6 +5,7 @@
 
 #include <dlfcn.h>
 
+#include "runtime/fault.hpp"
 #include "runtime/parameters/nearest.hpp"
 
 namespace bw {
@@ -15,6 +16,11 @@ std::map<std::string, ComponentFactory>& factories() {
   return all;
 }
 
+std::map<std::string, FaultKind>& fault_kinds() {
+  static std::map<std::string, FaultKind> all;
+  return all;
+}
+
 }  // namespace
 
 bool register_component(const std::string& type_name, ComponentFactory factory) {
@@ -22,6 +28,19 @@ bool register_component(const std::string& type_name, ComponentFactory factory) 
     throw std::logic_error("two components call themselves " + type_name);
   }
   return true;
+}
+
+bool register_fault(FaultKind kind) {
+  const std::string name = kind.name;
+  if (!fault_kinds().emplace(name, std::move(kind)).second)
+    throw std::logic_error("two kinds of fault call themselves " + name);
+  return true;
+}
+
+std::vector<FaultKind> registered_faults() {
+  std::vector<FaultKind> kinds;
+  for (const auto& [name, kind] : fault_kinds()) kinds.push_back(kind);
+  return kinds;
 }
 
 std::vector<std::string> registered_components() {

@@ -73,7 +73,10 @@ void Actor::see(Time now) {
 bool Actor::deliver(Input& input, Time now, std::optional<Duration> waited) {
   if (!input.reader->take(sample_)) return false;
   // Two who command: nobody is obeyed, and what moves stops because its commands are too old.
-  if (!input.commander.empty() && input.has_rival(sample_.writer, now)) return true;
+  if (!input.commander.empty() && input.has_rival(sample_.writer, now)) {
+    ++input.refused;
+    return true;
+  }
   const bool is_heard = input.of_node || is_active();
   if (role == ActorRole::component && !input.of_node && input.qos.durability == Durability::transient_local)
     input.keep(sample_, is_heard);
@@ -109,7 +112,9 @@ void Actor::give(Input& input, const dds::Guid& writer, std::span<const std::uin
 
 void Actor::fire(Timer& timer, Time now, std::optional<Duration> waited) {
   if (!runs(timer)) return;
-  see(now);
+  // The runtime's timers go by the run's clock, whatever is wrong with the component's.
+  if (!timer.of_node) now = own_time(now);
+  if (!timer.of_node || !clock_error) see(now);
   timer.handler(Tick{.now = now, .health = health(now), .sequence = timer.calls++});
   const Duration spent = thread_cpu_lap();
   const std::lock_guard lock(mutex);

@@ -70,6 +70,7 @@ class Input final : public InputEndpoint {
     Time at;
   };
   std::optional<Heard> last_heard, rival;
+  std::atomic<std::uint64_t> refused = 0;  ///< commands that were not obeyed because of a rival
   std::uint64_t calls = 0;
   CallbackStatistics statistics;
 };
@@ -83,13 +84,26 @@ class SampleSink {
   virtual void when_done(std::function<void()> action) = 0;
 };
 
+/// Stands between an actor and the wire: what goes wrong on purpose.
+class OutputGate {
+ public:
+  virtual ~OutputGate() = default;
+  /// Publishes to the output's sink what becomes of it, now or later or never.
+  virtual void pass(class OutputEnd& output, std::span<const std::uint8_t> cdr) = 0;
+};
+
 class OutputEnd final : public OutputPort {
  public:
   OutputEnd(Actor& actor, std::string topic_name, const MessageType& message_type, const Qos& topic_qos,
             bool is_command)
       : owner(actor), topic(std::move(topic_name)), type(message_type), qos(topic_qos), command(is_command) {}
   void publish(std::span<const std::uint8_t> cdr) override {
-    if (sink != nullptr) sink->publish(*this, cdr);
+    if (sink == nullptr) return;
+    if (gate != nullptr) {
+      gate->pass(*this, cdr);
+    } else {
+      sink->publish(*this, cdr);
+    }
   }
   bool has_readers() const override { return always_read || (writer && writer->matched_readers() > 0); }
 
@@ -103,6 +117,7 @@ class OutputEnd final : public OutputPort {
   bool of_node = false;  ///< the runtime's: it is never mute
   std::unique_ptr<dds::Writer> writer;
   SampleSink* sink = nullptr;  ///< null until the component is active
+  OutputGate* gate = nullptr;  ///< null: nothing is wrong with it
 };
 
 /// What an actor is to the host.
@@ -131,6 +146,7 @@ struct Actor final : DiagnosticReporter {
   bool is_real_time = false;  ///< its lane comes before others
   std::size_t rank = 0;
   Duration latency;
+  std::function<Duration(Time)> clock_error;        ///< by how much its clock is wrong; empty: it is not
   Duration longest_callback;                        ///< by its own word; zero: short
   const class WriterClock* writer_clock = nullptr;  ///< null: there is one clock
   class CommandedMotion* motion = nullptr;          ///< sees the commands that it obeys; null: nobody does
@@ -170,7 +186,9 @@ struct Actor final : DiagnosticReporter {
     const std::lock_guard lock(mutex);
     diagnostic_values[key] = std::move(value);
   }
-  /// From the ages of the watched inputs at `now`.
+  /// What its clock says at `now`, of the run.
+  Time own_time(Time now) const { return clock_error ? now + clock_error(now) : now; }
+  /// From the ages of the watched inputs at `now`, of its own clock.
   Health health(Time now) const;
   /// Names of the watched inputs that are too old at `now`. With `mutex` held.
   std::vector<std::string> stale_inputs(Time now) const;

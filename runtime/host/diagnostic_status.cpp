@@ -69,7 +69,8 @@ void DiagnosticStatuses::add_inputs(DiagnosticStatus& status, const Actor& actor
   }
 }
 
-DiagnosticStatus DiagnosticStatuses::of(const Actor& actor, Time now) {
+DiagnosticStatus DiagnosticStatuses::of(const Actor& actor, Time run_now) {
+  const Time now = actor.own_time(run_now);
   const std::lock_guard lock(actor.mutex);
   DiagnosticStatus status;
   status.name(actor.name);

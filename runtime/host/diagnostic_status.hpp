@@ -17,7 +17,7 @@ class DiagnosticStatuses {
   explicit DiagnosticStatuses(bool timings) : timings_(timings) {}
 
   /// Rates are those since the last call for the same actor.
-  diagnostic_msgs::msg::DiagnosticStatus of(const Actor& actor, Time now);
+  diagnostic_msgs::msg::DiagnosticStatus of(const Actor& actor, Time run_now);
 
  private:
   struct Heard {

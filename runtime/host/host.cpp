@@ -9,6 +9,7 @@
 #include "runtime/host/command_guard.hpp"
 #include "runtime/host/duplicate_name_guard.hpp"
 #include "runtime/host/host_setup.hpp"
+#include "runtime/host/injector.hpp"
 #include "runtime/host/lockstep_runner.hpp"
 #include "runtime/host/parameter_services.hpp"
 #include "runtime/host/process_services.hpp"
@@ -160,6 +161,7 @@ Host::Host(Graph graph, HostOptions options, std::vector<ExtraComponent> extra)
       outside_actor_ = actors_.back().get();
     }
   }
+  add_faults();
   for (const auto& actor : actors_) {
     if (actor->is_in_graph()) declarations_.push_back(declaration_of(*actor));
   }
@@ -210,6 +212,23 @@ void Host::add_component(const ComponentNode& node, std::unique_ptr<Component> c
   offer_type_descriptions(setup, added);
 }
 
+void Host::add_faults() {
+  FaultSurroundings around{.graph = &graph_,
+                           .actors = {},
+                           .seed = options_.seed,
+                           .is_lockstep = options_.clock == ClockMode::lockstep,
+                           .is_whole = !options_.is_partial && options_.source == nullptr};
+  for (const auto& actor : actors_) around.actors.push_back(actor.get());
+  auto injector = std::make_unique<Injector>(around, local_, options_.only_process);
+  if (injector->is_idle()) return;
+  injector_ = injector.get();
+  ComponentNode node = node_of_process(options_.only_process);
+  node.name = "faults";
+  node.lane = "faults";
+  node.node = "faults_" + node.node;  // one in each process
+  add_component(node, std::move(injector), true, ActorRole::process);
+}
+
 void Host::offer_parameters(Setup& setup, Actor& actor) {
   actor.live_parameters.declare_read_only("", ParameterSet(NodeParameters{options_.clock != ClockMode::wall}),
                                           "--clock decides it for the whole run");
@@ -225,6 +244,7 @@ void Host::offer_parameters(Setup& setup, Actor& actor) {
 RunEnd Host::run(std::optional<Duration> duration) {
   connect();
   started_ = runner_->now();
+  if (injector_ != nullptr) injector_->begin(*runner_, *started_);
   for (const auto& output : actors_.front()->outputs)
     output->sink = runner_.get();  // /rosout, before anybody speaks
   for (const EarlyLine& line : early_log_) {
@@ -310,6 +330,10 @@ std::vector<std::pair<std::string, FailsafeRow>> Host::failsafes() const {
     }
   }
   return all;
+}
+
+std::vector<std::pair<std::string, std::string>> Host::faults() const {
+  return injector_ == nullptr ? std::vector<std::pair<std::string, std::string>>() : injector_->in_words();
 }
 
 std::map<std::string, ParameterReport> Host::shared_parameters() const {

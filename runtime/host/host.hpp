@@ -79,6 +79,8 @@ class Host {
   std::map<std::string, ParameterReport> shared_parameters() const;
   /// The failsafe table: what components declared, and the inputs that may not be older than the graph says; by component.
   std::vector<std::pair<std::string, FailsafeRow>> failsafes() const;
+  /// What goes wrong on purpose, by name: what, where and when.
+  std::vector<std::pair<std::string, std::string>> faults() const;
   /// Of this process's callbacks, after the run.
   std::vector<CallbackStatistics> statistics() const;
   /// Lock-step only, else empty.
@@ -99,6 +101,8 @@ class Host {
   void offer_lifecycle(Actor& actor, HostSetup& setup);
   /// Null where nobody follows.
   std::unique_ptr<class NestedLifecycle> led_by(Actor& leader) const;
+  /// What goes wrong on purpose.
+  void add_faults();
   /// Two managers for each robot, unless one comes from outside.
   void add_managers();
   void add_manager(const std::string& robot, Manager which);
@@ -145,6 +149,7 @@ class Host {
   std::unique_ptr<class DuplicateNameGuard> duplicate_names_;  ///< null in lock-step
   std::unique_ptr<class NodeAnnouncement> announcement_;
   class ProcessServices* services_ = nullptr;
+  class Injector* injector_ = nullptr;  ///< null: the graph has no faults
   std::optional<Time> started_;
   struct EarlyLine {
     const Actor* actor;

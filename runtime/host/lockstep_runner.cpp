@@ -123,7 +123,8 @@ void LockstepRunner::dispatch(const Event& event) {
   // Keeping the newest message runs no user code, so it costs nothing and happens even while the actor is
   // busy.
   if (event.inlet != nullptr && !event.inlet->calls_component()) {
-    run_callback(actor, event.inlet->label(), true, [&] { event.inlet->take_one(now_, std::nullopt); });
+    run_callback(actor, event.inlet->label(), true,
+                 [&] { event.inlet->take_one(actor.own_time(now_), std::nullopt); });
     return;
   }
   if (const auto busy = busy_.find(actor.rank); busy != busy_.end()) {
@@ -149,7 +150,7 @@ void LockstepRunner::dispatch(const Event& event) {
   run_callback(actor, event.inlet != nullptr ? event.inlet->label() : event.timer->name, true, [&] {
     const CollectingEnds ends(collecting_);
     if (event.inlet != nullptr) {
-      event.inlet->take_one(now_, std::nullopt);
+      event.inlet->take_one(actor.own_time(now_), std::nullopt);
     } else {
       actor.fire(*event.timer, now_, std::nullopt);
     }

@@ -1,5 +1,6 @@
 #include "runtime/host/service_manager.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +10,8 @@
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
+
+#include "runtime/host/statistics.hpp"
 
 namespace bw {
 namespace {
@@ -44,6 +47,15 @@ ServiceManager::~ServiceManager() {
 std::string ServiceManager::predecessor() {
   const char* text = std::getenv("BANDWAGON_STARTED_AGAIN");
   return text == nullptr ? "" : text;
+}
+
+bool ServiceManager::is_launched() { return std::getenv("NOTIFY_SOCKET") != nullptr; }
+
+std::optional<Duration> ServiceManager::since_launch() {
+  const std::int64_t began =
+      number("BANDWAGON_LAUNCHED_AT");  // [ns] on the steady clock, which processes share
+  if (began == 0) return std::nullopt;
+  return std::max(Duration{}, steady_time() - Duration{began});
 }
 
 void ServiceManager::send(std::string_view state, std::string_view status) const {

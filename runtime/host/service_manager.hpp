@@ -3,6 +3,7 @@
 // sd_watchdog_enabled(3).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -36,6 +37,10 @@ class ServiceManager {
   [[nodiscard]] Duration watchdog() const { return watchdog_; }
   /// How the process ended in whose place this one was started, as `bandwagon launch` tells it; empty: there was none.
   static std::string predecessor();
+  /// Somebody starts this process again when it ends.
+  static bool is_launched();
+  /// How long ago `bandwagon launch` began; nothing: it did not start this process.
+  static std::optional<Duration> since_launch();
 
  private:
   /// Without waiting: a manager that does not read loses it. A status that has several lines is told up to the

@@ -221,7 +221,7 @@ void WallRunner::drain(InputEndpoint& inlet) {
   inlet.queued = false;  // before the take: what arrives from now on makes a new event
   constexpr int kMaxAtOnce = 16;
   for (int i = 0; i < kMaxAtOnce; ++i) {
-    if (!inlet.take_one(clock_.now(), waited)) return;
+    if (!inlet.take_one(inlet.actor->own_time(clock_.now()), waited)) return;
   }
   arrived(inlet);  // others on this lane first
 }

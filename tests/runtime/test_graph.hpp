@@ -12,6 +12,7 @@
 
 #include "runtime/host/host.hpp"
 #include "runtime/host/lockstep_runner.hpp"
+#include "runtime/parameters/yaml_file.hpp"
 #include "tests/runtime/scripted.hpp"
 
 namespace bw {
@@ -27,6 +28,11 @@ class TestGraph {
  public:
   TestGraph& add(ComponentNode node, std::function<void(Setup&)> script) {
     graph_.components.push_back(scripted(std::move(node), std::move(script)));
+    return *this;
+  }
+  /// Of its section `faults`.
+  TestGraph& faults(const std::string& yaml) {
+    graph_.shared["faults"] = parse_yaml(yaml, "g.yaml");
     return *this;
   }
   std::string run(double seconds, std::uint64_t seed = 1) {
