@@ -1,5 +1,5 @@
-// What can be wrong with an emulated base, its board and its cable: switched on one by one, while it runs or
-// in a window of the run.
+// What can be wrong with an emulated base, its board and its cable: switched on one by one while it runs, by hand or by the graph
+// (`faults:`, kind parameters).
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,6 @@ constexpr auto choice_table(Charger) {
 }
 
 struct Faults {
-  double from = 0.0, until = 0.0;
   bool cable_pulled = false, silent = false, hung = false;
   bool garbage = false;
   /// of what it sends at a time the second half is lost (set by code alone)
@@ -43,8 +42,6 @@ struct Faults {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("from", from, {.unit = "s", .min = 0, .max = 1e6, .doc = "after its activation the faults begin"});
-    v("until", until, {.unit = "s", .min = 0, .max = 1e6, .doc = "they end; 0: never"});
     v("cable_pulled", cable_pulled, {.doc = "no byte gets through, either way"});
     v("silent", silent, {.doc = "it obeys, and answers nothing"});
     v("hung", hung, {.doc = "its firmware stands still: the wheels go on as they do"});
@@ -61,18 +58,13 @@ struct Faults {
     v("battery_voltage", battery_voltage,
       {.unit = "V", .min = 0, .max = 60, .doc = "of the pack; 0: as it discharges"});
     v("charger", charger, {.doc = "plugged in: none, dock or adapter"});
-    v.retired({"half_frames", "corrupt", "tick_jump", "clock_jump", "stalled_left", "stalled_right",
-               "bumper_left", "bumper_centre", "bumper_right", "cliff_left", "cliff_right", "drop_right",
-               "buttons"},
-              "set by code alone, in faults.hpp");
+    v.retired(
+        {"half_frames", "corrupt", "tick_jump", "clock_jump", "stalled_left", "stalled_right", "bumper_left",
+         "bumper_centre", "bumper_right", "cliff_left", "cliff_right", "drop_right", "buttons"},
+        "set by code alone, in faults.hpp");
+    v.retired({"from", "until"}, "section faults of the graph: kind parameters, from, for");
   }
 };
-
-/// Those that act `since_start` [s].
-inline Faults acting(const Faults& faults, double since_start) {
-  const bool is_time = since_start >= faults.from && (faults.until <= 0.0 || since_start < faults.until);
-  return is_time ? faults : Faults{};
-}
 
 /// The body as the board sees it.
 Body seen_with(Body body, const Faults& faults);

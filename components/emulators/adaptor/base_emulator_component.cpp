@@ -48,21 +48,19 @@ class BaseEmulatorComponent final : public Component {
                                                  });
     // A board answers within milliseconds.
     setup.every(Duration::milliseconds(5), "line",
-                [this](const Tick& tick) { listen(tick.now, acting_at(tick.now)); });
+                [this](const Tick& tick) { listen(tick.now, options_.faults); });
   }
 
-  void activate(const Tick& tick) override { started_ = tick.now; }
   void deactivate(const Tick& tick) override { drive_wheels({}, tick.now); }
 
  private:
-  Faults acting_at(Time now) const { return acting(options_.faults, (now - started_).to_seconds()); }
   EmulatedBase& answering(const Faults& faults) { return faults.other_model ? *unknown_device_ : *firmware_; }
 
   /// `now` is of the world, `real_now` of the component clock.
   void step(Time now, Time real_now) {
     if (last_step_ && now <= *last_step_) return;
     last_step_ = now;
-    const Faults faults = acting_at(real_now);
+    const Faults& faults = options_.faults;
     listen(real_now, faults);
     if (!faults.hung) send(answering(faults).step(now, seen_with(body_->now(), faults)), faults);
     drive_wheels(with_faults(firmware_->motors(), faults), now);
@@ -102,7 +100,6 @@ class BaseEmulatorComponent final : public Component {
   std::unique_ptr<ByteLink> link_;
   std::optional<TrueBody> body_;
   std::optional<Time> last_step_;  ///< of the world
-  Time started_;
   bool is_plugged_ = true;
   std::optional<WheelSpeeds> driven_;
   Output<sensor_msgs::msg::JointState> wheels_;

@@ -14,25 +14,21 @@ namespace {
 
 constexpr Duration kStep = Duration::milliseconds(5);
 
-/// When, since its activation.
-struct FaultWindow {
+struct LaserFaults {
   RplidarFaults faults;
   bool cable_pulled = false;
-  double from = 0.0;
-  double until = 0.0;
 
   template <class Visitor>
   void fields(Visitor& v) {
     faults.fields(v);
     v("cable_pulled", cable_pulled, {.doc = "nothing passes, in either direction"});
-    v("from", from, {.unit = "s", .min = 0, .max = 1e6, .doc = "the faults begin"});
-    v("until", until, {.unit = "s", .min = 0, .max = 1e6, .doc = "they are over; 0: never"});
+    v.retired({"from", "until"}, "section faults of the graph: kind parameters, from, for");
   }
 };
 
 struct LaserEmulatorOptions {
   RplidarDeviceOptions device;
-  FaultWindow faults;
+  LaserFaults faults;
 
   template <class Visitor>
   void fields(Visitor& v) {
@@ -56,14 +52,10 @@ class LaserEmulatorComponent final : public Component {
     setup.every(kStep, "device", [this](const Tick& tick) { step(tick.now); });
   }
 
-  void activate(const Tick& tick) override { activated_ = tick.now; }
-
  private:
   void step(Time now) {
-    const double age = (now - activated_).to_seconds();
-    const bool is_faulty = age >= faults_.from && (faults_.until == 0.0 || age < faults_.until);
-    const bool is_pulled = is_faulty && faults_.cable_pulled;
-    device_->set_faults(is_faulty ? faults_.faults : RplidarFaults{});
+    const bool is_pulled = faults_.cable_pulled;
+    device_->set_faults(faults_.faults);
     if (is_pulled && !was_pulled_) link_->close(now, "cable pulled");
     was_pulled_ = is_pulled;
     const bool is_open = !is_pulled && link_->update(now).is_open;
@@ -75,8 +67,7 @@ class LaserEmulatorComponent final : public Component {
   }
 
   std::optional<RplidarDevice> device_;
-  FaultWindow faults_;
-  Time activated_;
+  LaserFaults faults_;
   bool was_pulled_ = false;
   std::unique_ptr<ByteLink> link_;
   Latest<sensor_msgs::msg::LaserScan> scan_;

@@ -26,10 +26,13 @@ struct Scene {
   std::string robot = "ticks_per_revolution: 2578, wheel_radius: 0.035, wheel_separation: 0.23, radius: 0.18";
   std::string world;
   std::string emulator;
+  std::string fault;  ///< of the emulator's parameters, as the graph's `faults:` has it
 };
 
 std::string graph(const Scene& scene) {
-  return "robot: {" + scene.robot + ", base: {driver: " + scene.driver +
+  const std::string fault =
+      scene.fault.empty() ? "" : "faults: {f: {kind: parameters, of: base_emulator, " + scene.fault + "}}\n";
+  return fault + "robot: {" + scene.robot + ", base: {driver: " + scene.driver +
          ", port: emulator}}\n"
          "components:\n"
          "  world: {manager: none, parameters: {encoder_rate: 100, walls: [{x1: 3, y1: -5, x2: 3, y2: 5}]" +
@@ -159,11 +162,11 @@ TEST(BaseEmulator, AnEddieAnswersAndStopsWhenNothingIsHeard) {
 TEST(BaseEmulator, NoByteGetsThroughAPulledCable) {
   Host host;
   host.talk = [](double) { return kKobukiForward; };
-  const std::string pulled = "faults: {cable_pulled: true, from: 0.0, until: ";
-  run({.emulator = pulled + "1.0}"}, 0.98, host);
+  const Scene pulled{.fault = "for: 1s, parameters: {faults.cable_pulled: true}"};
+  run(pulled, 0.98, host);
   EXPECT_TRUE(host.heard.empty());
   EXPECT_EQ(host.truth->twist().linear().x(), 0.0);
-  run({.emulator = pulled + "1.0}"}, 2.0, host);
+  run(pulled, 2.0, host);
   EXPECT_NEAR(static_cast<double>(parts(host.heard, 0x01).size()), 50.0, 2.0);
   EXPECT_NEAR(host.truth->twist().linear().x(), 0.3, 1e-3);
 }
@@ -173,7 +176,7 @@ TEST(BaseEmulator, AHungFirmwareLeavesTheWheelsAsTheyAre) {
   host.talk = [](double time) {
     return time < 1.5 ? kKobukiForward : Bytes{0xAA, 0x55, 6, 1, 4, 0, 0, 0, 0, 3};
   };
-  run({.emulator = "faults: {hung: true, from: 1.0}"}, 2.5, host);
+  run({.fault = "from: 1s, parameters: {faults.hung: true}"}, 2.5, host);
   EXPECT_NEAR(host.truth->twist().linear().x(), 0.3, 1e-3);
   EXPECT_LT(host.last_heard, 1.05);
 }
@@ -188,7 +191,7 @@ TEST(BaseEmulator, AnotherModelAnswersInItsOwnTongue) {
 
 TEST(BaseEmulator, WheelsRunAwayOnTheirOwn) {
   Host host;
-  run({.emulator = "faults: {runaway_left: 0.2, runaway_right: 0.2, from: 1.0}"}, 2.0, host);
+  run({.fault = "from: 1s, parameters: {faults.runaway_left: 0.2, faults.runaway_right: 0.2}"}, 2.0, host);
   EXPECT_NEAR(host.truth->twist().linear().x(), 0.2, 1e-3);
 }
 

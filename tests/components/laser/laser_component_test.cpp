@@ -129,7 +129,11 @@ TEST(LaserComponent, MeasuresItsOwnTime) {
 // Pulled at 2 s, put back at 3 s: nothing in between, but for the revolution that was just over; the device
 // is there again at once, since its head rotated on.
 TEST(LaserComponent, APulledCableIsSilenceAndThenScans) {
-  const Heard heard = run(graph("", "faults: {cable_pulled: true, from: 2.0, until: 3.0}"), 5.0);
+  const Heard heard =
+      run("faults: {f: {kind: parameters, of: laser_emulator, from: 2s, for: 1s, parameters: "
+          "{faults.cable_pulled: true}}}\n" +
+              graph("", ""),
+          5.0);
   const auto between = [&](double from, double until) {
     return std::ranges::count_if(heard.laser, [&](const Seen& seen) {
       const double t = seconds_since_start(seen.received);

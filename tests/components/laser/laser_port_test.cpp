@@ -14,6 +14,8 @@ namespace bw::laser {
 namespace {
 
 constexpr const char* kGraph = R"(
+faults:
+  pulled: {kind: parameters, of: laser_emulator, from: 3s, for: 1s, parameters: {faults.cable_pulled: true}}
 robot:
   sensors: [{frame: laser}]
   laser: {driver: rplidar, port: emulator}
@@ -25,7 +27,7 @@ components:
     parameters: {laser: {field_of_view: 6.283185307179586, rate: 50}, walls: [{x1: 2, y1: -9, x2: 2, y2: 9}]}
   laser_emulator:
     lane: devices
-    parameters: {spin_up: 0.2, faults: {cable_pulled: true, from: 3.0, until: 4.0}}
+    parameters: {spin_up: 0.2}
   laser: {lane: laser}
 )";
 
