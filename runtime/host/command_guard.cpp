@@ -1,6 +1,7 @@
 #include "runtime/host/command_guard.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "runtime/host/actor.hpp"
 
@@ -38,14 +39,31 @@ std::vector<WatchedTopic> find_watched_topics(const std::vector<Actor*>& all,
   return topics;
 }
 
+std::map<std::string, std::uint64_t> CommandGuard::count_refused() const {
+  std::map<std::string, std::uint64_t> counts;
+  for (const Actor* actor : local_) {
+    for (const auto& input : actor->inputs) {
+      if (!input->commander.empty()) counts[input->topic] += input->refused;
+    }
+  }
+  return counts;
+}
+
 std::vector<CommandWatch::News> CommandGuard::look(Time now) {
+  const std::map<std::string, std::uint64_t> refused = count_refused();
+  const std::map<std::string, std::uint64_t> before = std::exchange(refused_, refused);
   const bool has_names = directory_.update();
   const std::uint64_t changes = participant_.endpoint_changes();
-  if (!has_names && changes == changes_ && !watch_.is_waiting()) return {};
+  if (!has_names && changes == changes_ && !watch_.is_waiting() && refused == before) return {};
   changes_ = changes;
   auto news = watch_.look(
       participant_.endpoints(), participant_.take_departed(),
-      [this](const dds::Guid& guid) { return directory_.node_of(guid); }, now);
+      [this](const dds::Guid& guid) { return directory_.node_of(guid); }, now,
+      [&](const std::string& topic) {
+        const auto count = refused.find(topic);
+        const auto earlier = before.find(topic);
+        return count != refused.end() && earlier != before.end() && count->second > earlier->second;
+      });
   directory_.forget_the_gone();
   return news;
 }

@@ -1,6 +1,7 @@
 #include "runtime/host/command_watch.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/ranges.h>
 
@@ -35,7 +36,7 @@ CommandWatch::CommandWatch(const std::vector<WatchedTopic>& topics) {
 
 std::vector<CommandWatch::News> CommandWatch::look(const std::vector<dds::Endpoint>& present,
                                                    const std::vector<dds::Endpoint>& departed,
-                                                   const NodeOf& node_of, Time now) {
+                                                   const NodeOf& node_of, Time now, const Refuses& refuses) {
   std::vector<News> news;
   for (Watched& watched : watched_) {
     const WatchedTopic& topic = watched.topic;
@@ -56,19 +57,28 @@ std::vector<CommandWatch::News> CommandWatch::look(const std::vector<dds::Endpoi
     if (const auto names = names_to_tell(watched, node_of, now); !names.empty())
       news.push_back({LogLevel::warn, refusal(topic, names)});
     std::erase_if(watched.strangers, [](const auto& item) { return !item.second.is_there; });
-    if (owners > 1 && watched.owners <= 1) {
-      news.push_back(
-          {LogLevel::error,
-           fmt::format(
-               "nobody is obeyed on {} while two command: {} publishers are {}; the graph runs twice on "
-               "this domain, or was killed and started again a moment ago",
-               topic.topic, owners, topic.owner)});
-    } else if (owners <= 1 && watched.owners > 1) {
-      news.push_back({LogLevel::info, fmt::format("{} has one publisher again", topic.topic)});
-    }
     watched.owners = owners;
+    if (const auto told = news_of_owners(watched, refuses && refuses(topic.topic), now))
+      news.push_back(*told);
   }
   return news;
+}
+
+std::optional<CommandWatch::News> CommandWatch::news_of_owners(Watched& watched, bool refuses, Time now) {
+  constexpr Duration kForLong = Duration::milliseconds(2000);  // a successor is obeyed within one
+  const WatchedTopic& topic = watched.topic;
+  if (!refuses) watched.refused_since.reset();
+  if (refuses && !watched.refused_since) watched.refused_since = now;
+  const bool is_for_long = watched.refused_since && now - *watched.refused_since >= kForLong;
+  if (is_for_long && !std::exchange(watched.is_refused, true))
+    return News{
+        LogLevel::error,
+        fmt::format("nobody is obeyed on {} while two command: {} publishers are {}; the graph runs twice on "
+                    "this domain",
+                    topic.topic, watched.owners, topic.owner)};
+  if (!refuses && std::exchange(watched.is_refused, false))
+    return News{LogLevel::info, fmt::format("on {} one is obeyed again", topic.topic)};
+  return std::nullopt;
 }
 
 /// Who has left is told with the name that is known.
@@ -108,7 +118,7 @@ std::map<std::string, CommandWatch::State> CommandWatch::states() const {
       if (stranger.is_told) names.push_back(label(watched, stranger));
     }
     State& state = states[watched.topic.topic];
-    if (watched.owners > 1) {
+    if (watched.is_refused) {
       state = {LogLevel::error, fmt::format("nobody is obeyed while two command: {} publishers are {}",
                                             watched.owners, owner)};
     } else if (!names.empty()) {
@@ -122,7 +132,8 @@ std::map<std::string, CommandWatch::State> CommandWatch::states() const {
 
 bool CommandWatch::is_waiting() const {
   return std::ranges::any_of(watched_, [](const Watched& watched) {
-    return std::ranges::any_of(watched.strangers, [](const auto& item) { return !item.second.is_told; });
+    return watched.refused_since || watched.is_refused ||
+           std::ranges::any_of(watched.strangers, [](const auto& item) { return !item.second.is_told; });
   });
 }
 

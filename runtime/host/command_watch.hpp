@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,21 +35,25 @@ class CommandWatch {
   };
   /// What is known of one topic, for the diagnostics.
   struct State {
-    LogLevel level = LogLevel::info;  ///< warn: somebody is refused; error: two owners
+    LogLevel level = LogLevel::info;  ///< warn: somebody is refused; error: two owners command
     std::string text;
   };
+  /// Whether commands of its owner were refused on a topic since the last call, because another owner commands too.
+  using Refuses = std::function<bool(const std::string& topic)>;
   using NodeOf = std::function<std::string(const dds::Guid&)>;  ///< empty: not named yet
 
   explicit CommandWatch(const std::vector<WatchedTopic>& topics);
 
   /// To be called every half second or so, with the endpoints that are there and the writers that left since
   /// the last call.
-  /// A writer is told once: when its node has a name, or after a second without one.
+  /// A writer is told once: when its node has a name, or after a second without one. Two owners are told when commands have
+  /// been refused for two seconds: one that was killed counts as there for longer, and who takes its place is obeyed meanwhile.
   std::vector<News> look(const std::vector<dds::Endpoint>& present,
-                         const std::vector<dds::Endpoint>& departed, const NodeOf& node_of, Time now);
+                         const std::vector<dds::Endpoint>& departed, const NodeOf& node_of, Time now,
+                         const Refuses& refuses = {});
   /// By topic.
   std::map<std::string, State> states() const;
-  /// A writer waits for its name: look again although nothing has changed.
+  /// A writer waits for its name, or commands are refused: look again although nothing has changed.
   bool is_waiting() const;
 
  private:
@@ -63,8 +68,11 @@ class CommandWatch {
     WatchedTopic topic;
     std::map<dds::Guid, UnknownDevice> strangers;
     int owners = 0;
+    std::optional<Time> refused_since;
+    bool is_refused = false;  ///< for so long that it is told
   };
 
+  static std::optional<News> news_of_owners(Watched& watched, bool refuses, Time now);
   static std::vector<std::string> names_to_tell(Watched& watched, const NodeOf& node_of, Time now);
   static std::string label(const Watched& watched, const UnknownDevice& stranger);
   static std::string refusal(const WatchedTopic& topic, const std::vector<std::string>& names);

@@ -111,7 +111,7 @@ void Host::connect() {
   if (outside_) outside_->connect(*participant_, heard_outside_, local_);
   if (lockstep) return;
   writers_->connect(*participant_);
-  command_guard_ = std::make_unique<CommandGuard>(*participant_, watched);
+  command_guard_ = std::make_unique<CommandGuard>(*participant_, watched, local_);
   duplicate_names_ = std::make_unique<DuplicateNameGuard>(*participant_, find_own_nodes(local_));
 }
 

@@ -18,6 +18,7 @@ using geometry_msgs::msg::Twist;
 using geometry_msgs::msg::TwistStamped;
 using std::chrono::microseconds;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr microseconds k20Hz{50'000}, k50Hz{20'000}, k1kHz{1'000};
 constexpr double kStill = 0.005;  // [m]: 0.00
@@ -133,10 +134,7 @@ TEST_F(WhoCommands, AnOwnerThatWasKilledAndStartedAgainIsObeyedWhileTheOldOneIsR
   safety_ = start("safety");
   ASSERT_TRUE(spectator_.sees_it_stand());
   EXPECT_TRUE(spectator_.sees([](const auto& sight) { return sight.v > 0.15; })) << safety_->err();
-  EXPECT_TRUE(
-      base_logs("nobody is obeyed on /cmd_vel while two command: 2 publishers are /collision_monitor"))
-      << base_->err();
-  EXPECT_TRUE(base_logs("/cmd_vel has one publisher again")) << base_->err();
+  EXPECT_THAT(base_->err(), Not(HasSubstr("nobody is obeyed")));
 }
 
 }  // namespace

@@ -26,12 +26,14 @@ struct Domain {
   CommandWatch watch{{kTopic}};
 
   std::vector<std::string> look(double t, const std::vector<dds::Endpoint>& present,
-                                const std::vector<dds::Endpoint>& departed = {}) {
+                                const std::vector<dds::Endpoint>& departed = {}, bool refuses = false) {
     std::vector<std::string> texts;
     const auto node_of = [this](const dds::Guid& guid) {
       return names.contains(guid) ? names.at(guid) : std::string();
     };
-    for (const auto& news : watch.look(present, departed, node_of, at(t))) texts.push_back(news.text);
+    for (const auto& news :
+         watch.look(present, departed, node_of, at(t), [refuses](const std::string&) { return refuses; }))
+      texts.push_back(news.text);
     return texts;
   }
   CommandWatch::State state() const { return watch.states().at("/cmd_vel"); }
@@ -84,13 +86,29 @@ TEST(CommandWatch, ManyAreOneLine) {
               ElementsAre(HasSubstr("/n2, /n3, /n4, /n5, /n6 and 95 more publish it too")));
 }
 
-TEST(CommandWatch, TwoOwnersAreAnErrorUntilOneIsLeft) {
+TEST(CommandWatch, TwoOwnersWhoBothCommandAreAnErrorUntilOneIsObeyed) {
   Domain domain;
-  EXPECT_THAT(domain.look(0.0, {owner(1), owner(2)}), ElementsAre(HasSubstr("nobody is obeyed on /cmd_vel")));
+  for (const double t : {0.0, 0.5, 1.0, 1.5})
+    EXPECT_THAT(domain.look(t, {owner(1), owner(2)}, {}, true), IsEmpty());
+  EXPECT_TRUE(domain.watch.is_waiting());
+  EXPECT_THAT(domain.look(2.0, {owner(1), owner(2)}, {}, true),
+              ElementsAre(HasSubstr("nobody is obeyed on /cmd_vel while two command: 2 publishers")));
   EXPECT_EQ(domain.state().level, LogLevel::error);
-  EXPECT_THAT(domain.look(0.5, {owner(1), owner(2)}), IsEmpty());
-  EXPECT_THAT(domain.look(1.0, {owner(2)}), ElementsAre("/cmd_vel has one publisher again"));
+  EXPECT_THAT(domain.look(2.5, {owner(1), owner(2)}, {}, true), IsEmpty());
+  EXPECT_THAT(domain.look(3.0, {owner(1), owner(2)}), ElementsAre("on /cmd_vel one is obeyed again"));
   EXPECT_EQ(domain.state().level, LogLevel::info);
+}
+
+// Killed, it counts as there for seconds; its successor is refused for less than one, and that is no news.
+TEST(CommandWatch, ASuccessorOfOneThatWasKilledIsNoNews) {
+  Domain domain;
+  EXPECT_THAT(domain.look(0.0, {owner(1), owner(2)}, {}, true), IsEmpty());
+  EXPECT_THAT(domain.look(0.5, {owner(1), owner(2)}, {}, true), IsEmpty());
+  EXPECT_THAT(domain.look(1.0, {owner(1), owner(2)}, {}, true), IsEmpty());
+  for (double t = 1.5; t < 20.0; t += 0.5) EXPECT_THAT(domain.look(t, {owner(1), owner(2)}), IsEmpty());
+  EXPECT_EQ(domain.state().level, LogLevel::info);
+  EXPECT_EQ(domain.state().text, "commanded by /collision_monitor");
+  EXPECT_FALSE(domain.watch.is_waiting());
 }
 
 TEST(CommandWatch, OnATopicThatIsOpenTheTypeIsWhatIsRefused) {
