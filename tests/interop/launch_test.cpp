@@ -6,45 +6,17 @@
 #include <csignal>
 #include <cstdio>
 #include <fstream>
-#include <memory>
-#include <regex>
-#include <sstream>
 
 #include <gmock/gmock.h>
 
 #include "runtime/recording/bag/bag.hpp"
 #include "tests/faults/outside_driver.hpp"
-#include "tests/folder.hpp"
-#include "tests/interop/eventually.hpp"
-#include "tests/interop/process.hpp"
+#include "tests/interop/launched.hpp"
 
 namespace bw::test {
 namespace {
 
 using testing::HasSubstr;
-
-std::vector<std::string> command(const Folder& folder, const std::vector<std::string>& options) {
-  std::vector<std::string> words = {BANDWAGON_PROGRAM,
-                                    "launch",
-                                    "hallway",
-                                    "--logs",
-                                    folder / "logs",
-                                    "--set",
-                                    "world.people.social.walkers=[]"};
-  words.insert(words.end(), options.begin(), options.end());
-  return words;
-}
-
-Outcome launch(const Folder& folder, const std::vector<std::string>& options) {
-  return run_to_end(command(folder, options), std::chrono::seconds(60));
-}
-
-std::string text_of(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 // /odom comes from the process world+base, /tracks from rest, /local_plan from planning.
 TEST(Launch, RecordsWhatAllProcessesSay) {
@@ -83,35 +55,6 @@ TEST(Launch, TakesItsOptionsWithAnEqualsSignToo) {
   for (const auto& log : std::filesystem::recursive_directory_iterator(folder / "logs"))
     EXPECT_EQ(log.status().permissions() & std::filesystem::perms(077), std::filesystem::perms::none) << log;
 }
-
-/// The graph, launched, and asked about from outside.
-class Launched {
- public:
-  explicit Launched(const std::vector<std::string>& options) : process_(command(folder, options)) {}
-
-  /// What `bandwagon launch QUESTION hallway ...` says.
-  static std::string ask(std::vector<std::string> question) {
-    question.insert(question.begin(), {BANDWAGON_PROGRAM, "launch"});
-    question.insert(question.begin() + 3, "hallway");
-    const Outcome outcome = run_to_end(question, std::chrono::seconds(30));
-    return outcome.out + outcome.err;
-  }
-  static bool status_has(const std::string& pattern) {
-    const std::regex wanted(pattern);
-    return eventually([&] { return std::regex_search(ask({"status"}), wanted); });
-  }
-  static pid_t id(const std::string& name) {
-    std::smatch found;
-    const std::string text = ask({"status"});
-    return std::regex_search(text, found, std::regex(name + " .*pid (\\d+)")) ? std::stoi(found[1]) : 0;
-  }
-  Process& process() { return process_; }
-
-  Folder folder;
-
- private:
-  Process process_;
-};
 
 bool is_gone(pid_t id) {
   return eventually([id] { return kill(id, 0) != 0; });
@@ -173,84 +116,6 @@ TEST(Launch, TheRobotStandsUntilAKilledPlannerIsBackAndReachesItsGoal) {
 TEST(Launch, AKilledLocalizationAndNavigatorGoOnWhereTheyWere) {
   drive_and_kill("rest", false,
                  "the goal of the process before this one, (7.00, 0.00, 0.00), is taken up again");
-}
-
-// Whose process it was that drove waits for a release when it is started again: the robot stands whatever the goal is, and one
-// release later goes on. The world is a process of its own: it is not killed.
-TEST(Launch, AKilledBaseComesBackLatchedAndGoesOnAfterOneRelease) {
-  Spectator spectator;
-  Launched graph({"--set=world.process=world", "--set=navigator.goal.x=7.0", "--for=120"});
-  ASSERT_TRUE(spectator.sees([](const auto& sight) { return sight.x > 2.0 && sight.v > 0.4; }))
-      << graph.process().err();
-  kill(Launched::id("world.base"), SIGKILL);
-  ASSERT_TRUE(Launched::status_has("world.base +up .*starts 2")) << graph.process().err();
-  ASSERT_TRUE(spectator.sees_it_stand());
-  EXPECT_LT(spectator.moves_within(2.0), 0.02);
-  EXPECT_TRUE(eventually([] {
-    const Outcome call =
-        run_to_end({BANDWAGON_PROGRAM, "service", "call", "/release_stop"}, std::chrono::seconds(20));
-    return call.status == 0 && call.out.find("success: true") != std::string::npos;
-  }));
-  EXPECT_TRUE(spectator.sees([](const auto& sight) { return sight.v > 0.1; })) << graph.process().err();
-  EXPECT_EQ(graph.process().wait(std::chrono::seconds(90)), 0) << graph.process().err();
-  EXPECT_NEAR(spectator.look()->x, 7.0, 0.35);
-}
-
-int count(const std::string& text, const std::string& part) {
-  int found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
-  return found;
-}
-
-/// launch.log of a robot that stands for `seconds`, in which `faults` go wrong.
-std::string log_with_faults(const std::string& faults, const std::vector<std::string>& options) {
-  const Folder folder;
-  std::ofstream(folder / "faults.yaml") << faults;
-  std::vector<std::string> words = {"--stay", "--set=navigator.goal.enabled=false",
-                                    "--set=faults=" + (folder / "faults.yaml").string()};
-  words.insert(words.end(), options.begin(), options.end());
-  launch(folder, words);
-  return text_of(folder / "logs" / "launch.log");
-}
-
-// Time of the run is that of the launch: the next process of that name is not killed again.
-TEST(Launch, AFaultOfTheGraphKillsAProcessOnce) {
-  const std::string log =
-      log_with_faults("f: {kind: process_killed, of: local_planner, from: 8s}\n", {"--for=16"});
-  EXPECT_THAT(log, HasSubstr("planning was killed by signal 9 (Killed)"));
-  EXPECT_EQ(count(log, "; it is started again"), 1) << log;
-  EXPECT_EQ(count(log, "planning is up after"), 2) << log;
-}
-
-TEST(Launch, ALaneThatSpinsIsNamedAndItsProcessStartedAgain) {
-  const std::string log =
-      log_with_faults("f: {kind: process_spins, of: local_planner, from: 8s}\n", {"--for=16"});
-  EXPECT_THAT(log, HasSubstr("planning is killed: "));
-  EXPECT_THAT(log, HasSubstr("lane local"));
-  EXPECT_EQ(count(log, "planning is up after"), 2) << log;
-}
-
-// It takes no more than the graph allows: not the machine's memory, and nobody else notices.
-TEST(Launch, AProcessThatLeaksEndsAtItsLimitAlone) {
-  const std::string log = log_with_faults(
-      "f: {kind: process_leaks, of: local_planner, from: 8s, for: 5s, parameters: {rate: 2000, most: 2000}}\n",
-      {"--for=18"});
-  EXPECT_EQ(count(log, "; it is started again"), 1) << log;
-  EXPECT_THAT(log, HasSubstr("bad_alloc"));
-  EXPECT_EQ(count(log, "planning is up after"), 2) << log;
-  EXPECT_EQ(count(log, "rest is up after"), 1) << log;
-}
-
-// Four that take all the time they get: nobody is ended as if he hung.
-TEST(Launch, NobodyIsKilledBecauseTheMachineIsBusy) {
-  std::vector<std::unique_ptr<Process>> spinners;
-  for (int i = 0; i < 4; ++i)
-    spinners.push_back(
-        std::make_unique<Process>(std::vector<std::string>{"/bin/sh", "-c", "while :; do :; done"}));
-  const std::string log = log_with_faults("{}\n", {"--for=12"});
-  EXPECT_EQ(count(log, " is up after"), 3) << log;
-  EXPECT_EQ(count(log, " is killed: "), 0) << log;
-  EXPECT_EQ(count(log, "; it is started again"), 0) << log;
 }
 
 // The kernel tells each child: it brings what it moves to rest, and ends.
