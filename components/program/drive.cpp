@@ -26,11 +26,14 @@
 #include "components/program/snapshots.hpp"
 #include "components/program/taps.hpp"
 #include "runtime/cli/signals.hpp"
+#include "runtime/host/service_manager.hpp"
 #include "runtime/parameters/overrides.hpp"
 #include "runtime/process_memory.hpp"
 
 namespace bw {
 namespace {
+
+constexpr Duration kLongestJudgement = Duration::milliseconds(60'000);  // of one robot's contacts
 
 /// Value of a parameter as text; `otherwise` where there is none.
 std::string parameter_of(const Host& host, const std::string& component, std::string_view parameter,
@@ -316,6 +319,7 @@ DriveResult drive(Graph graph, const DriveSettings& options) {
   for (std::size_t i = 0; i < heard.size(); ++i) {
     if (!*heard[i]) continue;
     HeardDrive& one = result.heard.emplace_back(seen->robots[i].robot, (*heard[i])->recording());
+    ServiceManager().takes_time_to_end(kLongestJudgement);  // who started us waits for the card
     one.contacts = judge_contacts(one.recording);
   }
   if (!result.heard.empty()) add_contacts(result.json, contacts_of(result.heard));

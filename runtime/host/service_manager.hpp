@@ -26,6 +26,10 @@ class ServiceManager {
   void stopping(std::string_view status, bool is_over) const {
     send(is_over ? "STOPPING=1\nX_BANDWAGON_OVER=1" : "STOPPING=1", status);
   }
+  /// EXTEND_TIMEOUT_USEC: its end takes so long from now on; what moves is at rest.
+  void takes_time_to_end(Duration time) const {
+    send("EXTEND_TIMEOUT_USEC=" + std::to_string(time.nanoseconds / 1000), {});
+  }
   /// One line for `systemctl status`.
   void status(std::string_view status) const { send({}, status); }
   /// WATCHDOG=1: it lives.

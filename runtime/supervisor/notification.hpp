@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "runtime/base/time.hpp"
+
 namespace bw {
 
 struct Notification {
@@ -15,6 +17,7 @@ struct Notification {
   bool is_stopping = false;
   bool is_over = false;  ///< with STOPPING=1: what it ran is over, it is not to be started again
   std::optional<std::string> status;
+  std::optional<Duration> extended;  ///< EXTEND_TIMEOUT_USEC: from now on it takes so long to end
 };
 
 Notification parse_notification(std::string_view text);

@@ -28,7 +28,7 @@ Act SupervisedProcess::next(Duration now) {
         return kill(fmt::format("no sign of life for {:g} s", limits_.watchdog.to_seconds()));
       break;
     case State::stopping:
-      if (now - since_ > limits_.stop)
+      if (now - since_ > limits_.stop && now > extended_until_.value_or(since_))
         return kill(fmt::format("did not end within {:g} s", limits_.stop.to_seconds()));
       break;
   }
@@ -51,6 +51,7 @@ void SupervisedProcess::started(Duration now) {
   since_ = now;
   told_ = killed_ = hangs_ = is_over_ = false;
   time_to_ready_.reset();
+  extended_until_.reset();
   status_.clear();
   fault_.clear();
   ++starts_;
@@ -65,6 +66,7 @@ void SupervisedProcess::heard(const Notification& said, Duration now) {
     since_ = alive_ = now;
   }
   if (said.is_alive) alive_ = now;
+  if (said.extended) extended_until_ = now + *said.extended;
   hangs_ |= said.hangs;
   is_over_ |= said.is_over;
   if (said.is_stopping && state_ != State::stopping) {

@@ -66,7 +66,8 @@ class SupervisedProcess {
   Duration since_;  ///< of the state
   Duration alive_;  ///< last WATCHDOG=1, or READY=1
   Duration start_at_;
-  bool asked_ = false;  ///< to end
+  std::optional<Duration> extended_until_;  ///< by its own word: its end
+  bool asked_ = false;                      ///< to end
   bool again_ = false;
   bool told_ = false;  ///< SIGTERM is out
   bool killed_ = false;

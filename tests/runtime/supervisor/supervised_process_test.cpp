@@ -28,6 +28,19 @@ struct Up {
   SupervisedProcess process;
 };
 
+TEST(SupervisedProcess, OneThatSaysThatItsEndTakesTimeGetsIt) {
+  Up up;
+  up.process.heard(said("STOPPING=1\nX_BANDWAGON_OVER=1"), at(10.0));
+  up.process.heard(said("EXTEND_TIMEOUT_USEC=60000000"), at(12.0));
+  EXPECT_EQ(up.process.next(at(30.0)), Act::nothing);
+  EXPECT_EQ(up.process.next(at(71.9)), Act::nothing);
+  EXPECT_EQ(up.process.next(at(72.1)), Act::kill);
+  for (const char* text : {"EXTEND_TIMEOUT_USEC=", "EXTEND_TIMEOUT_USEC=-1", "EXTEND_TIMEOUT_USEC=1s"})
+    EXPECT_FALSE(said(text).extended) << text;
+  EXPECT_EQ(said("EXTEND_TIMEOUT_USEC=999999999999").extended, Duration::seconds(600.0))
+      << "ten minutes at most";
+}
+
 TEST(Notification, IsReadLineByLineAndWhatIsUnknownMeansNothing) {
   const Notification all = said("READY=1\nFDSTORE=1\nSTATUS=a=b\nWATCHDOG=1\nSTOPPING=1\nX_BANDWAGON_OVER=1");
   EXPECT_TRUE(all.is_ready && all.is_alive && all.is_stopping && all.is_over && !all.hangs);
