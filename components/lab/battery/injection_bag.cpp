@@ -75,6 +75,7 @@ InjectedDrive read_injected_drive(const std::filesystem::path& path,
   }
   std::ranges::sort(drive.begun, {}, &InjectedDrive::Begun::t);
   for (const ScoredDrive& scored : score_bag(*recording, robot.outline(), robot.limits).drives) {
+    drive.reached = scored.has_goal && scored.card.reached;  // the last one's
     drive.caused_contacts +=
         static_cast<int>(std::ranges::count_if(scored.contacts, [](const JudgedContact& one) {
           return one.record.closing.who == WhoHit::robot_closing && one.record.at_speed;

@@ -38,6 +38,14 @@ class Judge {
   }
 
  private:
+  /// Until nobody goes by it any more the robot may gain speed.
+  [[nodiscard]] double fastest(double from, double end) const {
+    double speed = speed_at(drive_.truth, from);
+    for (const auto& [t, v] : drive_.truth) {
+      if (t >= from && t < end) speed = std::max(speed, v);
+    }
+    return speed;
+  }
   template <class Holds>
   static std::optional<double> first(const std::vector<InjectedDrive::Speed>& speeds, double from, double end,
                                      Holds holds) {
@@ -66,7 +74,7 @@ class Judge {
   void judge_stop(const std::vector<double>& said, double age, double from, double end,
                   JudgedInjection& judged) const {
     const auto [last, silence] = longest_silence(said, from, end);
-    const double speed = speed_at(drive_.truth, last);
+    const double speed = fastest(last, last + age);
     if (silence < age || speed < kDrives) return;
     // Who plans on goes slower for reasons of his own: only where nobody commands the first slower frame tells something.
     if (&said == &drive_.commands) {

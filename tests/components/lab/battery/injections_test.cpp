@@ -85,6 +85,15 @@ TEST(InjectionJudge, OneThatIsBackInTimeStopsNobody) {
   EXPECT_FALSE(judge(drive, "planning")[0].stop_frame);
 }
 
+// Who gains speed until what he goes by is old brakes from there.
+TEST(InjectionJudge, TheSpeedIsTheHighestBeforeItIsOld) {
+  InjectedDrive drive = lost_at_10s(0.21);
+  for (auto& [t, v] : drive.truth) {
+    if (t > 10.1 && t < 10.2) v = 0.6;
+  }
+  EXPECT_NEAR(*judge(drive, "planning")[0].allowed, -0.02 + 0.25 + 0.6 + 0.1, 1e-9);
+}
+
 // Another process: its tracks grow old, and the planner stops.
 TEST(InjectionJudge, OfAnotherProcessTheTracksCount) {
   InjectedDrive drive = lost_at_10s(0.5);
