@@ -23,7 +23,7 @@ struct InjectedDrive {
   std::vector<Begun> begun;      ///< as /faults told it
   std::vector<double> tracks;    ///< when somebody said who is around
   std::vector<double> commands;  ///< when somebody upstream of the base's process commanded
-  bool reached = false;          ///< the goal, in the end
+  bool reached = false;          ///< the goal, in the end; false too where the recording does not tell
   int caused_contacts = 0;       ///< that the robot caused
 };
 

@@ -42,6 +42,13 @@ nlohmann::json to_json(const JudgedInjection& one) {
           {"trouble", one.trouble}};
 }
 
+/// The goal, as the last evaluation of the drive saw it.
+bool has_reached(const std::filesystem::path& folder) {
+  std::ifstream in(folder / "rest.json");
+  const nlohmann::json card = nlohmann::json::parse(in, nullptr, false);
+  return card.is_object() && card.value("reached", false);
+}
+
 nlohmann::json drive_once(const InjectionsOptions& options, std::uint64_t seed, int count) {
   const std::filesystem::path folder = options.out / fmt::format("drive_{}", seed);
   std::filesystem::remove_all(folder);
@@ -61,7 +68,7 @@ nlohmann::json drive_once(const InjectionsOptions& options, std::uint64_t seed, 
   } catch (const std::runtime_error& error) {
     result["trouble"] = error.what();
   }
-  result["reached"] = drive.reached;
+  result["reached"] = drive.reached || has_reached(folder);
   result["caused_contacts"] = drive.caused_contacts;
   result["injections"] = nlohmann::json::array();
   for (const JudgedInjection& one : judge(drive, kCommander)) result["injections"].push_back(to_json(one));
