@@ -86,8 +86,12 @@ void Explorer::goal_ended(GoalEnd end, const std::string& why) {
 // True while it cannot be told yet whether the frontier before which the robot stands has vanished.
 bool Explorer::stands_before_it(const std::vector<Frontier>& frontiers) {
   if (!reached_) return false;
-  const bool is_there =
-      std::ranges::any_of(frontiers, [&](const Frontier& f) { return are_near(f.centre, *reached_); });
+  // Unless it can come nearer by now.
+  const auto stays = [&](const Frontier& f) {
+    const double before = (goal_.position() - f.centre).norm();
+    return are_near(f.centre, *reached_) && (f.goal.position() - f.centre).norm() > before - kSame;
+  };
+  const bool is_there = std::ranges::any_of(frontiers, stays);
   if (is_there && ++looks_ < kLooks) return true;
   if (is_there) blacklist(*reached_, std::string(kNothingSeen));
   reached_.reset();

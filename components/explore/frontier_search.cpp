@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 
+#include "components/explore/beam_gaps.hpp"
 #include "components/explore/wavefront.hpp"
 
 namespace bw::explore {
@@ -14,19 +16,20 @@ namespace {
 constexpr ObstacleRule kOccupied{.unknown_is_obstacle = false};
 constexpr ObstacleRule kNotKnownFree{.unknown_is_obstacle = true};
 constexpr double kBeside = 0.5;   // [m] from a robot that stands where it does not fit to where it does
-constexpr double kLooksIn = 1.5;  // [m] from a goal to its frontier
 constexpr double kRoom = 0.15;    // [m] that a goal has around the robot, where there is such a place
+constexpr double kForRoom = 1.5;  // [m] from the frontier to such a place
 
 /// Around a goal, beside what the robot takes up.
 enum class Room { wanted, none };
 
 class Search {
  public:
-  Search(const OccupancyGrid& map, const FrontierOptions& options) : map_(map), options_(options) {}
+  Search(const OccupancyGrid& map, const FrontierOptions& options)
+      : map_(map), closed_(without_beam_gaps(map, 2.0 * options.radius)), options_(options) {}
 
   FrontierSearch run(const Vector2& robot) {
     FrontierSearch result;
-    const std::vector<bool> fits = cells_for_disc(map_, options_.radius, kOccupied);
+    const std::vector<bool> fits = cells_for_disc(closed_, options_.radius, kOccupied);
     const std::vector<Cell> start = cells_beside(map_, fits, robot, kBeside);
     if (start.empty()) return result;
     result.is_placed = true;
@@ -53,7 +56,7 @@ class Search {
   bool is_frontier(Cell cell) const {
     if (joined_[index(cell)] == kUnreached) return false;
     bool touches = false;
-    for_neighbours(map_, cell, [&](Cell next) { touches |= map_.at(next.column, next.row) < 0; });
+    for_neighbours(map_, cell, [&](Cell next) { touches |= closed_.at(next.column, next.row) < 0; });
     return touches;
   }
 
@@ -78,10 +81,8 @@ class Search {
     const Cell centre = *std::ranges::min_element(
         cells, {}, [&](Cell c) { return (map_.center(c.column, c.row) - mean).squaredNorm(); });
     frontier.centre = map_.center(centre.column, centre.row);
-    std::optional<Cell> goal = goal_before({centre}, frontier.centre, Room::wanted);
-    if (!goal) goal = goal_before({centre}, frontier.centre, Room::none);
-    // Of a long one some other part may be near enough.
-    if (!goal) goal = goal_before(cells, frontier.centre, Room::none);
+    std::optional<Cell> goal = goal_before(centre, Room::wanted);
+    if (!goal) goal = goal_before(centre, Room::none);
     if (!goal) {
       result.out_of_reach.push_back(frontier.centre);
       return;
@@ -89,17 +90,19 @@ class Search {
     const Vector2 at = map_.center(goal->column, goal->row);
     const Vector2 looks = frontier.centre - at;
     frontier.goal = {at.x(), at.y(), std::atan2(looks.y(), looks.x())};
-    frontier.path_length = path_[index(*goal)];
+    frontier.path_length = joined_[index(centre)];
     result.frontiers.push_back(frontier);
   }
 
-  // The nearest cell, by steps over cells where the robot fits, that a path leads to; of several the nearest to the
-  // middle of where it begins.
-  std::optional<Cell> goal_before(const std::vector<Cell>& frontier, const Vector2& middle, Room room) {
+  // The cell that a path leads to and that is nearest to the frontier, by steps over cells where the robot fits; of
+  // several the nearest as the crow flies. One with room is looked for about the frontier alone.
+  std::optional<Cell> goal_before(Cell frontier, Room room) {
     ++search_;
-    const int most = static_cast<int>(kLooksIn / map_.resolution);
-    std::vector<Cell> ring = frontier;
-    for (const Cell c : frontier) seen_[index(c)] = search_;
+    const int most = room == Room::wanted ? static_cast<int>(kForRoom / map_.resolution)
+                                          : std::numeric_limits<int>::max() - 1;
+    const Vector2 middle = map_.center(frontier.column, frontier.row);
+    std::vector<Cell> ring{frontier};
+    seen_[index(frontier)] = search_;
     for (int step = 0; step <= most && !ring.empty(); ++step) {
       std::optional<Cell> nearest;
       const auto away = [&](Cell c) { return (map_.center(c.column, c.row) - middle).squaredNorm(); };
@@ -120,6 +123,7 @@ class Search {
   }
 
   const OccupancyGrid& map_;
+  OccupancyGrid closed_;  // with gaps between beams taken for free
   FrontierOptions options_;
   std::vector<double> joined_;  // where the robot fits if what is unknown is free; lengths of ways there [m]
   std::vector<double> path_;    // the same without touching what is unknown

@@ -14,8 +14,8 @@ namespace bw::explore {
 struct Frontier {
   Vector2 centre{0.0, 0.0};  ///< one of its cells, the nearest to their mean
   double length = 0.0;       ///< cells times their edge [m]
-  Pose2 goal;                ///< where the robot fits without touching what is unknown, facing the centre
-  double path_length = 0.0;  ///< from the robot to the goal, over known free cells [m]
+  Pose2 goal;                ///< as near as it comes without touching what is unknown, facing the centre
+  double path_length = 0.0;  ///< from the robot to the centre, gaps between beams included [m]
 };
 
 struct FrontierOptions {

@@ -104,6 +104,17 @@ TEST(Explorer, AFrontierThatStaysThoughTheRobotStandsBeforeItIsLeft) {
   EXPECT_EQ(explorer.left().size(), 1U);
 }
 
+TEST(Explorer, AFrontierThatItCanComeNearerToByNowIsNotLeft) {
+  // 3 m away from where it stood; what was seen from there lets it come to 1 m.
+  Explorer explorer = begun(false);
+  Frontier far = frontier(9.0, 9.0);
+  far.goal.x = 6.0;
+  explorer.look(search({far}));
+  explorer.goal_ended(GoalEnd::reached, "");
+  far.goal.x = 8.0;
+  EXPECT_DOUBLE_EQ(goal_x(explorer.look(search({far}))), 8.0);
+}
+
 TEST(Explorer, AMomentWithoutFrontiersIsNoEnd) {
   Explorer explorer = begun();
   explorer.look(search({frontier(5.0, 5.0)}));

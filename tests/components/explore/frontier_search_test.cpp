@@ -53,11 +53,12 @@ TEST(Frontiers, ADoor) {
   EXPECT_NEAR(door.length, 0.6, 1e-9);
   EXPECT_NEAR(door.centre.x(), 4.05, 1e-9);
   EXPECT_NEAR(door.centre.y(), 1.45, 1e-9);
-  // What is unknown begins with the cells at 4.15. With 0.15 m of room a goal is 0.4 m before: at 3.75, 27 cells to go.
+  // What is unknown begins with the cells at 4.15. With 0.15 m of room a goal is 0.4 m before: at 3.75. From 1.05 to
+  // the centre there are 30 cells to go.
   EXPECT_NEAR(door.goal.x, 3.75, 1e-9);
   EXPECT_NEAR(door.goal.y, 1.45, 1e-9);
   EXPECT_NEAR(door.goal.theta, 0.0, 1e-9);
-  EXPECT_NEAR(door.path_length, 2.7, 1e-9);
+  EXPECT_NEAR(door.path_length, 3.0, 1e-9);
 }
 
 TEST(Frontiers, AGapNarrowerThanTheRobotIsNone) {
@@ -106,9 +107,9 @@ TEST(Frontiers, TheNearestComesFirst) {
   const FrontierSearch search = find_frontiers(map, kStand, kRobot);
   ASSERT_EQ(search.frontiers.size(), 2U);
   EXPECT_LT(search.frontiers[0].centre.x(), 0.0);
-  // From 1.05 to 0.25, where what is unknown at -0.15 is 0.4 m away.
-  EXPECT_NEAR(search.frontiers[0].path_length, 0.8, 1e-9);
-  EXPECT_NEAR(search.frontiers[1].path_length, 2.7, 1e-9);
+  // From 1.05 to the last free cells, -0.05 and 4.05.
+  EXPECT_NEAR(search.frontiers[0].path_length, 1.1, 1e-9);
+  EXPECT_NEAR(search.frontiers[1].path_length, 3.0, 1e-9);
 }
 
 TEST(Frontiers, WhatNoKnownGroundLeadsToIsTold) {
