@@ -6,6 +6,8 @@
 #include <numbers>
 #include <string>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "components/slam/graph_file.hpp"
 
@@ -76,6 +78,18 @@ void fields(Io& io, Field<Io, std::vector<Surface>> surfaces) {
     io.real("normal_sin2", surface.normal_sin2, -1.001, 1.001);
     io.integer("hits", surface.hits, 1, std::numeric_limits<std::int32_t>::max());
   });
+}
+
+template <class Io>
+void fields(Io& io, Field<Io, FinishedWalls> walls) {
+  if constexpr (Io::kReads) {
+    std::vector<Surface> surfaces;
+    fields(io, surfaces);
+    walls = std::move(surfaces);
+  } else {
+    const std::vector<Surface>& surfaces = walls;
+    fields(io, surfaces);
+  }
 }
 
 template <class Io>

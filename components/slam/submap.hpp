@@ -4,10 +4,9 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <vector>
 
+#include "components/slam/finished_walls.hpp"
 #include "components/slam/scan.hpp"
-#include "components/slam/surface_map.hpp"
 #include "components/slam/uncertain_pose.hpp"
 
 namespace bw::slam {
@@ -16,7 +15,7 @@ namespace bw::slam {
 /// which it was begun.
 struct Submap {
   UncertainPose X_PS;  ///< in the parent
-  std::vector<Surface> surfaces;
+  FinishedWalls surfaces;
   std::size_t first_node = 0;  ///< number of the first scan of the map that went into it
   std::size_t last_node = 0;   ///< and of the one after the last
   /// What its walls say along the direction of which they say least, as a share of what they say across it: 0

@@ -29,6 +29,17 @@ TEST(GraphFile, GivesBackTheSameBytes) {
   EXPECT_EQ(graph_bytes({test::kStart, slam.save()}), bytes);
 }
 
+// Scans wait while the state is taken: of what does not change any more nothing is copied.
+TEST(GraphFile, SharesTheWallsOfFinishedSubmaps) {
+  Slam slam(read_graph(test::small_graph()).graph->slam);
+  const SlamState state = slam.save();
+  ASSERT_EQ(state.closing.submaps.size(), slam.map().size());
+  for (std::size_t k = 0; k < slam.map().size(); ++k) {
+    EXPECT_FALSE(slam.map()[k].surfaces.empty());
+    EXPECT_EQ(state.closing.submaps[k].surfaces.data(), slam.map()[k].surfaces.data()) << "submap " << k;
+  }
+}
+
 // A map without any scan is a graph too.
 TEST(GraphFile, MayBeEmpty) {
   Slam slam{SlamOptions{}};
