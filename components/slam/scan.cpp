@@ -123,4 +123,28 @@ std::optional<std::size_t> beam_towards(const RangeImage& image, const Vector2& 
   return beam < image.millimetres.size() ? std::optional(beam) : std::nullopt;
 }
 
+double seen_alike(const RangeImage& then, const RangeImage& now, const Pose2& X_TN) {
+  const Pose2 X = inverse(then.X_BL) * X_TN * now.X_BL;
+  int looked = 0;
+  int alike = 0;
+  for (std::size_t i = 0; i < now.millimetres.size(); ++i) {
+    const std::uint16_t mm = now.millimetres[i];
+    if (mm == RangeImage::kUnknown || mm == RangeImage::kNoReturn) continue;
+    const double angle = now.angle_min + static_cast<double>(i) * now.angle_increment;
+    const Vector2 p = X * Vector2(0.001 * mm * direction(angle));
+    const std::optional<std::size_t> beam = beam_towards(then, p);
+    if (!beam || *beam < 1 || *beam + 1 >= then.millimetres.size()) continue;
+    // At the edge of an obstacle the next beam goes past: one of three that agrees will do.
+    const double range = p.norm();
+    ++looked;
+    for (std::size_t b = *beam - 1; b <= *beam + 1; ++b) {
+      if (then.millimetres[b] == RangeImage::kNoReturn) continue;
+      if (std::abs(0.001 * then.millimetres[b] - range) > 0.1 + 0.02 * range) continue;
+      ++alike;
+      break;
+    }
+  }
+  return looked < 30 ? 1.0 : static_cast<double>(alike) / looked;
+}
+
 }  // namespace bw::slam

@@ -42,6 +42,10 @@ struct RangeImage {
 /// turns: a scanner may see more than half a circle.
 std::optional<std::size_t> beam_towards(const RangeImage& image, const Vector2& p);
 
+/// Share of the beams of `now`, of those that end where `then` looked, that end on what `then` saw, to 0.1 m and 2 % of the
+/// range; X_TN: base_link now, in that of then. 1 where fewer than 30 do.
+double seen_alike(const RangeImage& then, const RangeImage& now, const Pose2& X_TN);
+
 struct Scan {
   Time time;
   std::vector<SurfacePoint> points;  ///< in base_link at `time`

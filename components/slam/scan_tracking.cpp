@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "components/slam/correlative_search.hpp"
-#include "components/slam/loop_search.hpp"
 
 namespace bw::slam {
 namespace {
@@ -12,9 +11,9 @@ namespace {
 constexpr int kIterations = 10;
 constexpr double kGoodMatch = 0.6;    // share of inliers with which nothing else is searched for
 constexpr double kLeastMatch = 0.15;  // with less the scan says nothing
-constexpr double kHardlyMeets = 0.5;  // less of a scan is in its place, and not behind a wall: another place
-constexpr double kHardlyMoved = 0.3;  // [m, rad] what is in view is the same
-constexpr double kRefinedFrom = 0.2;  // [m] up to which refinement finds the way by itself
+constexpr double kMeets = 0.8;  // share of a scan on walls, or as the one before saw it; less: another place
+constexpr double kHardlyMoved = 0.3;       // [m, rad] what is in view is the same
+constexpr double kRefinedFrom = 0.2;       // [m] up to which refinement finds the way by itself
 constexpr double kRefinedFromTurn = 0.05;  // [rad]
 constexpr double kSlightlyBetter = 0.02;
 constexpr double kBetterBy = 0.1;
@@ -92,18 +91,20 @@ ScanTracking::Match ScanTracking::match(const Scan& scan, const UncertainPose& p
 }
 
 int ScanTracking::held(const Scan& scan, const Pose2& X_OB, const Refined& match) {
-  if (!options_.holds_back) return 0;
-  // Of a scan that fits another place by chance many beams end behind walls.
-  const double meets =
-      match.inliers * (1.0 - seen_through(older_->surface.surfaces(), {{&scan.ranges}, {match.X}}));
-  if (meets >= kGoodMatch) met_X_OB_ = X_OB;
-  if (meets >= kHardlyMeets || scan.points.size() < kFewPoints) return held_ = 0;
+  if (!options_.holds_back || scan.points.size() < kFewPoints) return held_ = 0;
+  if (!met_) met_ = Met{X_OB, scan.ranges};
+  const Pose2 moved = inverse(met_->X_OB) * X_OB;
+  if (match.inliers >= kMeets || seen_alike(met_->ranges, scan.ranges, moved) >= kMeets) {
+    met_ = Met{X_OB, scan.ranges};
+    return held_ = 0;
+  }
   if (held_ > 0) return ++held_;
-  const Pose2 moved = met_X_OB_ ? inverse(*met_X_OB_) * X_OB : Pose2{};
-  const bool at_once =
-      met_X_OB_ && std::hypot(moved.x, moved.y) < kHardlyMoved && std::abs(moved.theta) < kHardlyMoved;
+  if (std::hypot(moved.x, moved.y) > kHardlyMoved || std::abs(moved.theta) > kHardlyMoved) {
+    met_ = Met{X_OB, scan.ranges};
+    return 0;
+  }
   // Odometry that came late is another reason.
-  return held_ = at_once && !now_.late ? 1 : 0;
+  return held_ = now_.late ? 0 : 1;
 }
 
 Tracked ScanTracking::add(const Scan& scan, const Pose2& X_OB, std::size_t nodes) {
@@ -111,7 +112,7 @@ Tracked ScanTracking::add(const Scan& scan, const Pose2& X_OB, std::size_t nodes
   if (!older_) {
     older_ = begun(nodes, start_);
     result.enters_map = true;
-    met_X_OB_ = X_OB;
+    met_ = Met{X_OB, scan.ranges};
     held_ = 0;
   } else {
     const double seconds = std::max(1e-3, (scan.time - now_.time).to_seconds());
@@ -200,7 +201,6 @@ std::vector<Submap> ScanTracking::finish(std::size_t nodes) {
 void ScanTracking::begin_at(std::size_t found_in, const UncertainPose& X_PB) {
   start_ = {found_in, X_PB};
   now_.late = false;
-  met_X_OB_.reset();
   now_.odometry_before = {};
   now_.step_before = {};
   now_.since_node = 0.0;

@@ -17,8 +17,8 @@ struct Tracked {
   Refined match;         ///< zeros for the first scan
   bool matched = false;  ///< else by odometry alone
   bool enters_map = false;
-  /// Scans in a row, this one among them, that do not meet the map, or look through its walls, though one just before did and the robot
-  /// hardly moved by odometry since: somebody carried it away. None of them enters the map. 0 unless
+  /// Scans in a row, this one among them, that neither meet the map nor show what one just before showed, though the
+  /// robot hardly moved by odometry since: somebody carried it away. None of them enters the map. 0 unless
   /// SlamOptions::holds_back.
   int held = 0;
   Pose2 by_odometry;               ///< the step from the scan before, as odometry has it
@@ -112,8 +112,13 @@ class ScanTracking {
   Motion now_;
   std::optional<Active> older_;
   std::optional<Active> younger_;
-  Joint start_;                    ///< of the next submap, if nothing is under way
-  std::optional<Pose2> met_X_OB_;  ///< of the newest scan that met the map
+  Joint start_;  ///< of the next submap, if nothing is under way
+  /// The newest scan that met the map or what was seen before, and where odometry was.
+  struct Met {
+    Pose2 X_OB;
+    RangeImage ranges;
+  };
+  std::optional<Met> met_;
   int held_ = 0;
 };
 

@@ -87,6 +87,25 @@ TEST(SlamHealth, AnotherPlaceAllAtOnceIsAKidnap) {
   EXPECT_EQ(watched.slam.nodes().size(), nodes);
 }
 
+// From a room into one that is 2 m longer, to the same distance from the other three walls: 0.75 of the scan lie on walls of the
+// first, and of these 0.29 are seen through, which leaves more than half. The robot stands, drives on from there, and is lost
+// after five scans.
+TEST(SlamHealth, APlaceThatFitsByThreeQuartersIsAKidnap) {
+  test::Scanner room(test::room(8.0, 6.0), 0.01, 1, {.beams = 360, .field_of_view = 2.0 * std::numbers::pi});
+  StaticObstacles longer;
+  test::add_box(longer, {-4.0, -3.0}, {4.0, 5.0});
+  test::Scanner elsewhere(longer, 0.01, 2, {.beams = 360, .field_of_view = 2.0 * std::numbers::pi});
+  Watched watched;
+  for (int k = 0; k < 40; ++k)
+    watched.add(room, {-2.0 + 0.05 * k, -1.0, 0.0}, {k == 0 ? 0.0 : 0.05, 0.0, 0.0});
+  const std::size_t nodes = watched.slam.nodes().size();
+  for (int k = 0; k < 20; ++k) {
+    const SlamHealth health = watched.add(elsewhere, {-0.05, -1.0, 0.0}, {});
+    EXPECT_EQ(health.state == HealthState::lost, k >= 4) << k;
+  }
+  EXPECT_EQ(watched.slam.nodes().size(), nodes);
+}
+
 // The same offline, where nobody would look for the place: all that was driven is in the map.
 TEST(SlamHealth, WhereNobodyLooksTheMapGoesOn) {
   test::Scanner room(test::square_of_corridors(), 0.01, 1);
