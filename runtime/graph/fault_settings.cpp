@@ -1,8 +1,8 @@
 #include "runtime/graph/fault_settings.hpp"
 
+#include "runtime/graph/graph_reading.hpp"
 #include "runtime/graph/names.hpp"
 #include "runtime/parameters/read_parameters.hpp"
-#include "runtime/parameters/scalar_text.hpp"
 
 namespace bw {
 namespace {
@@ -10,25 +10,7 @@ namespace {
 constexpr std::string_view kFaults = "faults";
 constexpr Duration kLongestSpan = Duration::milliseconds(604'800'000);
 constexpr Duration kShortestSpan = Duration::milliseconds(1);
-
-std::optional<Duration> read_span(ParameterReader& reader, std::string_view name, Duration least) {
-  const ConfigNode* node = reader.find(name);
-  if (node == nullptr) return std::nullopt;
-  const std::optional<Duration> span = node->is_scalar() ? parse_duration(node->scalar) : std::nullopt;
-  if (span && *span >= least && *span <= kLongestSpan) return span;
-  reader.refuse(*node, name,
-                "must be a duration between " + short_text(least.to_seconds()) + " s and " +
-                    short_text(kLongestSpan.to_seconds()) + " s, such as 5s");
-  return std::nullopt;
-}
-
-void read_name(ParameterReader& reader, std::string_view name, std::string& value,
-               std::optional<std::string> (*rule)(std::string_view)) {
-  reader(name, value);
-  const ConfigNode* node = reader.find(name);
-  if (node == nullptr || !node->is_scalar()) return;
-  if (const auto broken = rule(value)) reader.refuse(*node, name, *broken);
-}
+constexpr std::string_view kSpan = "5s";  // for example
 
 std::optional<FaultSettings> read_one(const ConfigEntry& entry, std::vector<Violation>& violations) {
   const std::string key = joined(kFaults, entry.key);
@@ -43,14 +25,14 @@ std::optional<FaultSettings> read_one(const ConfigEntry& entry, std::vector<Viol
   reader("kind", fault.kind);
   bool enabled = true;
   reader("enabled", enabled);
-  fault.from = read_span(reader, "from", {}).value_or(Duration{});
-  fault.lasts = read_span(reader, "for", kShortestSpan);
-  fault.every = read_span(reader, "every", kShortestSpan);
-  if (const ConfigNode* every = reader.find("every");
+  fault.from = read_span(reader, "from", {}, kLongestSpan, kSpan).value_or(Duration{});
+  fault.lasts = read_span(reader, "for", kShortestSpan, kLongestSpan, kSpan);
+  fault.every = read_span(reader, "every", kShortestSpan, kLongestSpan, kSpan);
+  if (const ConfigNode* every = entry.value.find("every");
       fault.every && (!fault.lasts || *fault.lasts >= *fault.every))
     reader.refuse(*every, "every", "needs a `for` that is shorter");
-  read_name(reader, "topic", fault.topic, topic_name_rule);
-  read_name(reader, "namespace", fault.node_namespace, namespace_rule);
+  read_name(reader, entry.value, "topic", fault.topic, topic_name_rule);
+  read_name(reader, entry.value, "namespace", fault.node_namespace, namespace_rule);
   reader("of", fault.of);
   if (const ConfigNode* parameters = reader.find("parameters")) {
     if (is_section(*parameters, joined(key, "parameters"), violations)) fault.parameters = *parameters;

@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "runtime/graph/config_file.hpp"
 #include "runtime/graph/graph.hpp"
+#include "runtime/graph/graph_reading.hpp"
 #include "runtime/graph/several_robots.hpp"
 #include "runtime/parameters/nearest.hpp"
 #include "runtime/parameters/overrides.hpp"
@@ -14,32 +14,9 @@
 namespace bw {
 namespace {
 
-constexpr std::array<std::string_view, 2> kSharedSections = {"robot", "faults"};
 constexpr Duration kMaxLatency = Duration::milliseconds(10'000);
 constexpr Duration kMaxAge = Duration::milliseconds(3'600'000);
 constexpr Duration kShortestAge = Duration::milliseconds(1);
-
-/// By its own name, or by that of all robots' nodes.
-bool is_meant(const ComponentNode& node, const std::string& name) {
-  return node.name == name || (!node.robot.empty() && node.node_name() == name);
-}
-
-bool is_for_section(const Override& change) {
-  return std::ranges::find(kSharedSections, change.path.front()) != kSharedSections.end();
-}
-
-bool is_emulate(const Override& change) { return change.path == std::vector<std::string>{"emulate"}; }
-
-/// Of processes, lanes and types.
-std::optional<std::string> label_rule(std::string_view name) {
-  const auto is_allowed = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '-' || c == '+';
-  };
-  if (!name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), is_allowed))
-    return std::nullopt;
-  return "must be a name: at most 64 letters, digits, _, - and +";
-}
 
 class GraphReader {
  public:
@@ -58,20 +35,8 @@ class GraphReader {
   }
 
  private:
-  using Rule = std::optional<std::string> (*)(std::string_view);
-
   void add(const Location& where, const std::string& key, const std::string& value, const std::string& rule) {
     violations_.push_back({where, key, value, rule});
-  }
-
-  /// A text that must also keep a rule.
-  void read_text(ParameterReader& reader, const ConfigNode& map, std::string_view name, std::string& value,
-                 Rule rule) {
-    const std::size_t before = violations_.size();
-    reader(name, value);
-    const ConfigNode* node = map.find(name);
-    if (node == nullptr || violations_.size() > before) return;
-    if (std::optional<std::string> broken = rule(value)) reader.refuse(*node, name, *broken);
   }
 
   static std::optional<std::string> frame_prefix_rule(std::string_view prefix) {
@@ -126,8 +91,8 @@ class GraphReader {
     GraphSettings& settings = graph_.settings;
     reader("ros_distro", settings.ros_distro);
     if (const ConfigNode* distro = reader.find("ros_distro")) distro_where_ = distro->where;
-    read_text(reader, root, "namespace", settings.graph_namespace, namespace_rule);
-    read_text(reader, root, "frame_prefix", settings.frame_prefix, frame_prefix_rule);
+    read_name(reader, root, "namespace", settings.graph_namespace, namespace_rule);
+    read_name(reader, root, "frame_prefix", settings.frame_prefix, frame_prefix_rule);
     reader("transport", settings.transport, {.choices = {"localhost", "lan"}});
     reader("plugins", settings.plugins, {.path = true});
     std::string lifecycle = "own";
@@ -220,7 +185,7 @@ class GraphReader {
     node.where = entry.where;
     const std::string key = joined("components", entry.key);
     if (const auto rule = node_name_rule(entry.key)) add(entry.where, key, "", *rule);
-    if (std::find(kSharedSections.begin(), kSharedSections.end(), entry.key) != kSharedSections.end()) {
+    if (is_shared_section(entry.key)) {
       add(entry.where, key, "", "must not be the name of a shared section");
     }
     if (!entry.value.is_map() && !entry.value.is_null()) {
@@ -229,9 +194,9 @@ class GraphReader {
     }
     const ConfigNode& map = entry.value;
     ParameterReader reader(map, key, violations_);
-    read_text(reader, map, "type", node.type, label_rule);
-    read_text(reader, map, "process", node.process, label_rule);
-    read_text(reader, map, "lane", node.lane, label_rule);
+    read_name(reader, map, "type", node.type, label_rule);
+    read_name(reader, map, "process", node.process, label_rule);
+    read_name(reader, map, "lane", node.lane, label_rule);
     std::string priority = "normal";
     reader("priority", priority, {.choices = {"normal", "real_time"}});
     node.is_real_time = priority == "real_time";
@@ -242,11 +207,11 @@ class GraphReader {
     node.manager = manager == "none"           ? Manager::none
                    : manager == "localization" ? Manager::localization
                                                : Manager::navigation;
-    read_text(reader, map, "follows", node.follows, node_name_rule);
+    read_name(reader, map, "follows", node.follows, node_name_rule);
     if (const ConfigNode* given = map.find("manager"); given != nullptr && !node.follows.empty())
       reader.refuse(*given, "manager", "must not be given beside follows: it is managed with its leader");
     std::string inner;
-    read_text(reader, map, "namespace", inner, namespace_rule);
+    read_name(reader, map, "namespace", inner, namespace_rule);
     node.node_namespace = join_namespaces(graph_.settings.graph_namespace, inner);
     bool is_shared = false;
     reader("shared", is_shared);
@@ -294,14 +259,14 @@ class GraphReader {
   void apply(const std::vector<std::string>& overrides) {
     std::vector<Override> changes;
     for (const std::string& text : overrides) or_violation([&] { changes.push_back(parse_override(text)); });
-    const auto of_sections = std::ranges::stable_partition(changes, is_for_section);
+    const auto of_sections = std::ranges::stable_partition(
+        changes, [](const Override& c) { return is_shared_section(c.path.front()); });
     std::ranges::stable_partition(of_sections, is_emulate);
     auto change = changes.begin();
-    for (; change != of_sections.begin(); ++change)
-      or_violation([&] { bw::apply_override(graph_, *change); });
+    for (; change != of_sections.begin(); ++change) or_violation([&] { apply_override(graph_, *change); });
     const bool is_said = change != changes.end() && is_emulate(*change);
     if (emulate_where_ && !is_said) or_violation([&] { emulate_devices(graph_, *emulate_where_); });
-    for (; change != changes.end(); ++change) or_violation([&] { bw::apply_override(graph_, *change); });
+    for (; change != changes.end(); ++change) or_violation([&] { apply_override(graph_, *change); });
   }
 
   template <class Action>
@@ -321,91 +286,7 @@ class GraphReader {
   std::optional<Location> emulate_where_;  ///< where the graph asks for it
 };
 
-/// Switches the component on or off, or puts it into another process; false when the override means something else.
-bool switch_component(ComponentNode& node, const Override& change) {
-  if (change.path.size() != 2) return false;
-  std::vector<Violation> violations;
-  if (change.path.back() == "enabled") {
-    read_value(change.value, change.key(), {}, node.enabled, violations);
-  } else if (change.path.back() == "process") {
-    read_value(change.value, change.key(), {}, node.process, violations);
-    if (const auto rule = label_rule(node.process); rule && violations.empty())
-      violations.push_back({change.value.where, change.key(), node.process, *rule});
-  } else {
-    return false;
-  }
-  throw_if_any(std::move(violations));
-  return true;
-}
-
-/// A setting of the whole graph that a command line may change; false when the override means something else.
-bool set_distro(Graph& graph, const Override& change) {
-  if (change.path != std::vector<std::string>{"ros_distro"}) return false;
-  std::vector<Violation> violations;
-  read_value(change.value, change.key(), {}, graph.settings.ros_distro, violations);
-  throw_if_any(std::move(violations));
-  return true;
-}
-
-/// Of the files of a section that go by a name.
-std::string folder_of(const std::string& section) { return section.ends_with('s') ? section : section + "s"; }
-
-/// A whole shared section from a file: robot=FILE, where the command line stands, or robot=NAME. False when
-/// the override means something else.
-bool set_section(Graph& graph, const Override& change) {
-  const bool is_section =
-      change.path.size() == 1 &&
-      std::ranges::find(kSharedSections, change.path.front()) != std::ranges::end(kSharedSections);
-  if (!is_section) return false;
-  if (!change.value.is_scalar())
-    throw ConfigError(Violation{change.value.where, change.key(), change.value.text(), "must be a file"});
-  ConfigNode section = load_yaml(std::filesystem::absolute(
-      config_file(folder_of(change.path.front()), change.value.scalar, change.value.where)));
-  if (!section.is_map())
-    throw ConfigError(Violation{section.where, change.key(), section.text(), "must be a map of parameters"});
-  graph.shared[change.path.front()] = std::move(section);
-  return true;
-}
-
-/// Emulation, of the robot as it is by now. False when the override means something else.
-bool set_emulation(Graph& graph, const Override& change) {
-  if (!is_emulate(change)) return false;
-  std::vector<Violation> violations;
-  bool emulate = false;
-  read_value(change.value, change.key(), {}, emulate, violations);
-  throw_if_any(std::move(violations));
-  if (emulate) emulate_devices(graph, change.value.where);
-  return true;
-}
-
-/// The shared section that the first part of an override names.
-ConfigNode& section_of(Graph& graph, const Override& change) {
-  const std::string& name = change.path.front();
-  std::vector<std::string_view> known(kSharedSections.begin(), kSharedSections.end());
-  std::string rule;
-  if (change.path.size() < 2) {
-    rule = "must have the form component.param=value";
-  } else if (std::find(known.begin(), known.end(), name) != known.end()) {
-    return graph.shared[name];
-  } else {
-    for (const ComponentNode& node : graph.components) known.push_back(node.name);
-    rule = unknown_rule("component", name, known);
-  }
-  throw ConfigError(Violation{change.value.where, change.key(), change.value.text(), rule});
-}
-
 }  // namespace
-
-void apply_override(Graph& graph, const Override& change) {
-  if (set_distro(graph, change) || set_section(graph, change) || set_emulation(graph, change)) return;
-  bool is_known = false;
-  for (ComponentNode& node : graph.components) {
-    if (change.path.size() < 2 || !is_meant(node, change.path.front())) continue;
-    is_known = true;
-    if (!switch_component(node, change)) apply_override(node.parameters, change, 1);
-  }
-  if (!is_known) apply_override(section_of(graph, change), change, 1);
-}
 
 Graph load_graph(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
   return GraphReader().read(config_file("graphs", path), overrides);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/graph/graph_reading.hpp"
 #include "runtime/graph/names.hpp"
 #include "runtime/graph/snapshot_settings.hpp"
 #include "runtime/parameters/read_parameters.hpp"
@@ -10,19 +11,6 @@ namespace bw {
 namespace {
 
 constexpr std::string_view kSection = "snapshot";
-
-void read_span(ParameterReader& reader, std::string_view name, Duration least, Duration& value) {
-  const ConfigNode* node = reader.find(name);
-  if (node == nullptr) return;
-  const std::optional<Duration> span = node->is_scalar() ? parse_duration(node->scalar) : std::nullopt;
-  if (span && *span >= least && *span <= SnapshotSettings::kLongest) {
-    value = *span;
-  } else {
-    reader.refuse(*node, name,
-                  "must be a duration between " + short_text(least.to_seconds()) + " s and " +
-                      short_text(SnapshotSettings::kLongest.to_seconds()) + " s, such as 30s");
-  }
-}
 
 void read_memory(ParameterReader& reader, std::uint64_t& value) {
   const ConfigNode* node = reader.find("memory");
@@ -131,9 +119,10 @@ SnapshotSettings read_snapshot(const ConfigNode& section, std::vector<Violation>
     return settings;
   }
   ParameterReader reader(section, std::string(kSection), violations);
-  read_span(reader, "keep", SnapshotSettings::kShortest, settings.keep);
+  settings.keep = read_span(reader, "keep", SnapshotSettings::kShortest, SnapshotSettings::kLongest, "30s")
+                      .value_or(settings.keep);
   Duration after = settings.keep;
-  read_span(reader, "after", Duration{}, after);
+  after = read_span(reader, "after", Duration{}, SnapshotSettings::kLongest, "30s").value_or(after);
   settings.after = after;
   read_memory(reader, settings.memory);
   reader("most", settings.most, {.min = 1, .max = 10'000});

@@ -72,6 +72,10 @@ TEST(FaultSettings, AreRefusedWithFileLineKeyValueAndRule) {
   EXPECT_EQ(said("f: {for: 2s, every: 1s}"), "g.yaml:1: faults.f.every = 1s: needs a `for` that is shorter");
   EXPECT_EQ(said("f: {every: 1s}"), "g.yaml:1: faults.f.every = 1s: needs a `for` that is shorter");
   EXPECT_EQ(said("f: {knid: lost}"), "g.yaml:1: faults.f.knid: unknown key; did you mean 'kind'?");
+  EXPECT_EQ(
+      said("f: {colour: a}"),
+      "g.yaml:1: faults.f.colour: unknown key; known: kind, enabled, from, for, every, topic, namespace, of, "
+      "parameters");
   EXPECT_EQ(said("f: {parameters: 3}"), "g.yaml:1: faults.f.parameters = 3: must be a map of parameters");
 }
 
