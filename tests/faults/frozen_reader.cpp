@@ -11,7 +11,7 @@ int main(int argc, char** argv) {
   if (argc != 2) return 2;
   bw::dds::Participant participant({.network = bw::dds::Network::from_environment({})});
   const auto reader = participant.create_reader(bw::test::ros_end<std_msgs::msg::String>(argv[1]), [] {});
-  while (reader->matched_writers() == 0) usleep(10'000);
+  if (!bw::test::eventually([&] { return reader->matched_writers() > 0; })) return 1;
   std::printf("ready\n");
   std::fflush(stdout);
   for (;;) pause();
