@@ -7,17 +7,12 @@
 
 #include <fmt/format.h>
 
+#include "runtime/ros/diagnostic_value.hpp"
+
 namespace bw {
 namespace {
 
 using diagnostic_msgs::msg::DiagnosticStatus;
-
-void add_value(DiagnosticStatus& status, std::string key, std::string value) {
-  diagnostic_msgs::msg::KeyValue pair;
-  pair.key(std::move(key));
-  pair.value(std::move(value));
-  status.values().push_back(std::move(pair));
-}
 
 void add_location(DiagnosticStatus& status, const Actor& actor) {
   add_value(status, "process", actor.process);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "runtime/base/named_seed.hpp"
 #include "runtime/host/host.hpp"
 #include "runtime/host/rebinding.hpp"
 #include "runtime/host/writer_names.hpp"
@@ -40,12 +41,7 @@ std::string HostSetup::frame(std::string_view name) const {
   return host_.graph().settings.frame_prefix + of_robot + std::string(name);
 }
 
-std::uint64_t HostSetup::seed() const {
-  // FNV-1a of the name, so that a component's numbers do not depend on its neighbours in the graph.
-  std::uint64_t hash = 14695981039346656037ULL ^ host_.options_.seed;
-  for (const char c : actor_.name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-  return hash;
-}
+std::uint64_t HostSetup::seed() const { return named_seed(actor_.name, host_.options_.seed); }
 
 bool HostSetup::is_lockstep() const { return host_.options_.clock == ClockMode::lockstep; }
 

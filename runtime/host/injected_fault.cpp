@@ -4,6 +4,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "runtime/base/named_seed.hpp"
 #include "runtime/graph/names.hpp"
 #include "runtime/parameters/nearest.hpp"
 #include "runtime/parameters/overrides.hpp"
@@ -48,11 +49,8 @@ class KindSetup : public FaultSetup {
 
 class GraphSetup final : public KindSetup {
  public:
-  GraphSetup(const FaultSettings& settings, std::uint64_t run_seed) : settings_(settings), seed_(run_seed) {
-    // FNV-1a of the name, as of components.
-    seed_ ^= 14695981039346656037ULL;
-    for (const char c : settings.name) seed_ = (seed_ ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-  }
+  GraphSetup(const FaultSettings& settings, std::uint64_t run_seed)
+      : settings_(settings), seed_(named_seed(settings.name, run_seed)) {}
   std::uint64_t seed() const override { return seed_; }
 
  protected:

@@ -8,19 +8,13 @@
 
 #include "runtime/host/runner.hpp"
 #include "runtime/host/service_manager.hpp"
+#include "runtime/ros/diagnostic_value.hpp"
 #include "runtime/stamps.hpp"
 
 namespace bw {
 namespace {
 
 constexpr Duration kStep = Duration::milliseconds(10);
-
-diagnostic_msgs::msg::KeyValue pair(const std::string& key, const std::string& value) {
-  diagnostic_msgs::msg::KeyValue pair;
-  pair.key(key);
-  pair.value(value);
-  return pair;
-}
 
 /// What a program adds to a graph is left alone: a replay says what became of a message once already.
 bool may_fail(const Actor& actor) { return actor.role != ActorRole::observer; }
@@ -232,9 +226,11 @@ void Injector::tell(const InjectedFault& fault, const FaultTick& tick) {
       static_cast<std::uint8_t>(tick.acts ? DiagnosticReporter::Level::warn : DiagnosticReporter::Level::ok));
   status.name(its.name);
   status.message(what + (tick.acts ? "" : ": over"));
-  status.values(std::vector{pair("kind", its.kind), pair("acts", tick.acts ? "true" : "false"),
-                            pair("occurrence", std::to_string(tick.occurrence)), pair("process", process_),
-                            pair("run time", fmt::format("{:.3f} s", (tick.now - start_).to_seconds()))});
+  add_value(status, "kind", its.kind);
+  add_value(status, "acts", tick.acts ? "true" : "false");
+  add_value(status, "occurrence", std::to_string(tick.occurrence));
+  add_value(status, "process", process_);
+  add_value(status, "run time", fmt::format("{:.3f} s", (tick.now - start_).to_seconds()));
   message.status().push_back(std::move(status));
   out_.publish(message);
   diagnostics_->set_value(its.name, what + (tick.acts ? ": acts" : ": over"));

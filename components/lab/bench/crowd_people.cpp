@@ -8,6 +8,7 @@
 #include "components/model/random.hpp"
 #include "components/world/orca_walkers.hpp"
 #include "components/world/social_walkers.hpp"
+#include "runtime/base/named_seed.hpp"
 
 namespace bw {
 namespace {
@@ -17,13 +18,6 @@ constexpr double kFreeAtGoal = 0.1;     // [m] edge to edge of static discs
 constexpr double kLeastSpeed = 0.3;     // [m/s]
 constexpr double kMaxSpeed = 1.2;       // [m/s]
 constexpr double kRounding = 1e-9;      // [s]
-
-/// FNV-1a, the same on every system.
-std::uint64_t seed_of(const std::string& name) {
-  std::uint64_t hash = 14695981039346656037ULL;
-  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-  return hash;
-}
 
 StaticScene statics_of(const Scene& scene) {
   StaticObstacles shapes;
@@ -73,7 +67,7 @@ CrowdPeople::CrowdPeople(const Scene& scene, const ClosedLoop& rule)
     person_of_.push_back(people_.size());
     if (o.moves()) people_.emplace_back();
   }
-  Random random(seed_of(scene_.name));
+  Random random(named_seed(scene_.name, 0));
   if (rule_.walkers == WalkersManner::orca) {
     const auto options = options_of<OrcaWalkersOptions>(scene_, rule_.box, random);
     model_ = std::make_unique<OrcaWalkers>(options, statics_, 1, random);

@@ -15,6 +15,7 @@
 #include "runtime/recording/bag/qos_text.hpp"
 #include "runtime/recording/bag/schema.hpp"
 #include "runtime/ros/dds_names.hpp"
+#include "runtime/ros/diagnostic_value.hpp"
 #include "runtime/stamps.hpp"
 #include "runtime/thrown.hpp"
 #include "runtime/wire/serialization.hpp"
@@ -53,13 +54,6 @@ dds::EndpointOptions endpoint(const std::string& topic, const Qos& qos) {
           .type = std::string(MessageTraits<M>::dds_name),
           .qos = qos,
           .user_data = user_data_of(std::string(MessageTraits<M>::type_hash))};
-}
-
-diagnostic_msgs::msg::KeyValue pair(const std::string& key, std::uint64_t value) {
-  diagnostic_msgs::msg::KeyValue out;
-  out.key(key);
-  out.value(std::to_string(value));
-  return out;
 }
 
 }  // namespace
@@ -305,11 +299,11 @@ void WireRecorder::report(steady_clock::time_point now) {
   diagnostic_msgs::msg::DiagnosticStatus report;
   report.name(kNodeName);
   report.message("recording");
-  report.values().push_back(pair("messages", all.bag.recorded));
-  report.values().push_back(pair("bytes", all.bag.size));
+  add_value(report, "messages", std::to_string(all.bag.recorded));
+  add_value(report, "bytes", std::to_string(all.bag.size));
   for (const auto& [topic, count] : all.bag.dropped)
-    report.values().push_back(pair("dropped " + topic, count));
-  for (const auto& [topic, count] : all.lost) report.values().push_back(pair("lost " + topic, count));
+    add_value(report, "dropped " + topic, std::to_string(count));
+  for (const auto& [topic, count] : all.lost) add_value(report, "lost " + topic, std::to_string(count));
   if (!all.bag.dropped.empty() || !all.lost.empty()) {
     report.level(1);
     report.message("messages are missing in the recording");
