@@ -8,6 +8,7 @@
 
 #include "components/evaluation/contact_diary.hpp"
 #include "components/evaluation/score_keeper.hpp"
+#include "components/evaluation/thinning.hpp"
 #include "components/evaluation/truth_sample.hpp"
 #include "components/model/footprint.hpp"
 #include "components/model/limits.hpp"
@@ -60,18 +61,18 @@ class RunRecorder {
   void set_shapes(StaticObstacles shapes) { recording_.shapes = std::move(shapes); }
   void set_footprint(const Footprint& footprint) { recording_.robot = footprint; }
   void set_limits(const Limits& limits) { recording_.limits = limits; }
-  const RunRecording& recording() const { return recording_; }
+  /// A copy, as it is now.
+  RunRecording recording() const;
 
  private:
   /// From the last moment, for a truth without speed.
   [[nodiscard]] double speed_to(const RecordedMoment& moment) const;
 
-  RunRecording recording_;
+  RunRecording recording_;  ///< its contacts are in the diary
   bool has_true_map_ = false;
   ContactDiary diary_;
   Time started_;
-  Duration period_;
-  std::optional<Time> last_;
+  Thinning thinning_;  ///< ten minutes at full detail
 };
 
 }  // namespace bw

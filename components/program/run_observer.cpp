@@ -43,8 +43,8 @@ void RunObserver::listen(Setup& setup, std::size_t index) {
       [this, &robot, index](const auto& truth, const Tick&) {
         if (index < courses_.size()) courses_[index].on_truth(truth);
         const Time time = from_stamp(truth.header().stamp());
-        if (!robot.path.empty() && time - robot.path.back().time < kPathPeriod) return;
-        robot.path.push_back({time, from_pose(truth.pose())});
+        if (!robot.thinning.is_due(time)) return;
+        robot.thinning.add(time, PathPoint{time, from_pose(truth.pose())}, robot.path);
         if (!robot.card && robot.path.size() > kBeforeDrive) robot.path.erase(robot.path.begin());
       },
       Need::optional);

@@ -10,6 +10,7 @@
 
 #include <bandwagon_msgs/msg/score_card.hpp>
 
+#include "components/evaluation/thinning.hpp"
 #include "components/program/course_observer.hpp"
 #include "runtime/base/pose2.hpp"
 #include "runtime/component.hpp"
@@ -28,8 +29,8 @@ struct RobotObservation {
   std::string card_topic;   ///< where it is judged
   std::string truth_topic;  ///< where the judge has it from
   std::optional<bandwagon_msgs::msg::ScoreCard> card = std::nullopt;
-  std::vector<PathPoint> path =
-      {};  ///< by rising time, at least kPathPeriod apart; before a drive the last second
+  std::vector<PathPoint> path = {};  ///< by rising time, thinned; before a drive the last second
+  Thinning thinning{Duration::milliseconds(100)};
 };
 
 /// Shared with the verb, read after the run.
@@ -39,8 +40,6 @@ struct Observation {
   /// Of all robots together.
   std::optional<bandwagon_msgs::msg::ScoreCard> card() const;
 };
-
-constexpr Duration kPathPeriod = Duration::milliseconds(100);
 
 class RunObserver final : public Component {
  public:
