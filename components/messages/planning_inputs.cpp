@@ -19,11 +19,19 @@ void PlanningInputs::listen(Setup& setup, const Robot& robot) {
   footprint_.listen(setup, robot);
 }
 
-std::optional<Pose2> PlanningInputs::pose_in_odom(const std::string& frame, std::string& missing) const {
+std::optional<Pose2> PlanningInputs::pose_in_odom(const std::string& frame, std::string& missing,
+                                                  std::optional<Time> now) const {
   if (frame == odom_frame_) return Pose2{};
-  auto X_OF = transforms_->lookup_planar(odom_frame_, frame);
-  if (!X_OF) missing = "no transform from " + frame + " to " + odom_frame_;
-  return X_OF;
+  const std::optional<Time> newest = transforms_->newest(odom_frame_, frame);
+  if (!newest) {
+    missing = "no transform from " + frame + " to " + odom_frame_;
+    return std::nullopt;
+  }
+  if (now && *newest < *now - kTransformTolerance) {
+    missing = "the transform from " + frame + " to " + odom_frame_ + " is older than 0.5 s";
+    return std::nullopt;
+  }
+  return transforms_->lookup_planar(odom_frame_, frame);
 }
 
 std::optional<Pose2> PlanningInputs::pose() const {
@@ -55,11 +63,11 @@ PlanningProblem PlanningInputs::problem(Time now, std::string& missing) const {
   problem.pose = *pose();
   problem.twist = from_twist(odometry_->twist().twist());
   if (obstacles_) {
-    if (const auto X_OF = pose_in_odom(obstacles_->header().frame_id(), missing))
+    if (const auto X_OF = pose_in_odom(obstacles_->header().frame_id(), missing, now))
       problem.obstacles = to_obstacles(*obstacles_, *X_OF);
   }
   if (tracks_) {
-    if (const auto X_OF = pose_in_odom(tracks_->header().frame_id(), missing))
+    if (const auto X_OF = pose_in_odom(tracks_->header().frame_id(), missing, now))
       problem.movers = to_movers(*tracks_, *X_OF, now);
   }
   return problem;

@@ -37,8 +37,12 @@ class PlanningInputs {
   const Limits& limits() const { return speed_.limits(); }
   /// Of base_link in odom.
   std::optional<Pose2> pose() const;
-  /// The pose of `frame` in odom; otherwise `missing` says that there is none.
-  std::optional<Pose2> pose_in_odom(const std::string& frame, std::string& missing) const;
+  /// The pose of `frame` in odom; otherwise `missing` says that there is none, or that at `now` it is older than
+  /// kTransformTolerance.
+  std::optional<Pose2> pose_in_odom(const std::string& frame, std::string& missing,
+                                    std::optional<Time> now = std::nullopt) const;
+  /// As long as the navigator drives without a pose: whoever published the transform may be gone.
+  static constexpr Duration kTransformTolerance = Duration::milliseconds(500);
   const std::string& odom_frame() const { return odom_frame_; }
   const std::string& map_frame() const { return map_frame_; }
 

@@ -104,6 +104,14 @@ std::optional<Eigen::Isometry3d> TransformTree::lookup(const std::string& target
   return X_AT->inverse() * *X_AS;
 }
 
+std::optional<Time> TransformTree::newest(const std::string& target, const std::string& source) const {
+  const std::vector<std::string> from_target = chain_to_root(target);
+  const std::vector<std::string> from_source = chain_to_root(source);
+  const auto ancestor = std::ranges::find_first_of(from_source, from_target);
+  if (ancestor == from_source.end()) return std::nullopt;
+  return newest_common(from_target, from_source, *ancestor);
+}
+
 std::optional<Pose2> TransformTree::lookup_planar(const std::string& target, const std::string& source,
                                                   Time time) const {
   const auto X = lookup(target, source, time);

@@ -34,6 +34,9 @@ class TransformTree {
   /// The same, projected to the plane.
   std::optional<Pose2> lookup_planar(const std::string& target, const std::string& source,
                                      Time time = {}) const;
+  /// The newest instant of which `lookup` knows; the far future where nothing between the two moves. Nothing when
+  /// they are not connected.
+  std::optional<Time> newest(const std::string& target, const std::string& source) const;
 
  private:
   struct Stamped {

@@ -42,6 +42,14 @@ TEST(TransformTree, WithoutATimeTakesTheNewestCommonInstant) {
   expect_pose(tree().lookup_planar("map", "base_link"), 10, 2, kQuarter);  // 2 s: odom's chain ends first
 }
 
+TEST(TransformTree, TellsTheNewestCommonInstant) {
+  EXPECT_EQ(tree().newest("map", "laser"), at(2));
+  EXPECT_EQ(tree().newest("odom", "map"), at(3));
+  EXPECT_EQ(tree().newest("laser", "base_link"),
+            Time{std::numeric_limits<std::int64_t>::max()});  // never moves
+  EXPECT_FALSE(tree().newest("map", "elsewhere"));
+}
+
 TEST(TransformTree, DoesNotExtrapolate) {
   EXPECT_FALSE(tree().lookup("map", "base_link", at(2.5)));
   EXPECT_FALSE(tree().lookup("map", "base_link", at(0.5)));

@@ -77,7 +77,7 @@ PlanningProblem LocalPlannerComponent::make_problem(const Tick& tick, std::strin
   }
   X_OF_.reset();
   if (!inputs_.pose() || task_.mode != mode::FOLLOW) return problem;
-  X_OF_ = inputs_.pose_in_odom(task_.frame, missing);
+  X_OF_ = inputs_.pose_in_odom(task_.frame, missing, tick.now);
   if (!X_OF_) return problem;
   FollowLimits limits{.lookahead = parameters_.max_global_plan_lookahead_dist, .tolerance = task_.tolerance};
   if (task_.is_of_action) limits.max_deviation = parameters_.follow_path.max_path_deviation;

@@ -22,8 +22,8 @@ void RobotSituation::listen(Setup& setup, const NavigatorParameters& parameters,
 
 std::optional<Pose2> RobotSituation::pose(Time now) const {
   if (!by_tf_) return from_pose(odometry_->pose().pose());
-  // A transform that is known at the oldest time allowed is not older than that.
-  if (!transforms_->lookup(map_frame_, base_frame_, now - timeout_)) return std::nullopt;
+  const std::optional<Time> newest = transforms_->newest(map_frame_, base_frame_);
+  if (!newest || *newest < now - timeout_) return std::nullopt;
   return transforms_->lookup_planar(map_frame_, base_frame_);
 }
 

@@ -148,6 +148,23 @@ TEST(LocalPlannerComponent, StopsWhenOdometryIsStale) {
   EXPECT_EQ(n.statuses.back().reason(), "a needed input is stale");
 }
 
+// Whoever tells where odom is in map ends at 2 s, as a localization that is killed. Half a second later it is no pose any more;
+// a cycle of 0.1 s after that the commands are for standing, and people and obstacles are as fresh as ever.
+TEST(LocalPlannerComponent, StopsWhenTheTransformIsStale) {
+  Neighbours n;
+  n.requests = {{0, FollowRequest_Constants::FOLLOW}};
+  n.path = {{0, 0, 0}, {10, 0, 0}};
+  n.transforms_end = 100;
+  n.run(3.5, "parameters: {command_lead: 0.5}");
+  const auto moving = std::find_if(n.commands.rbegin(), n.commands.rend(),
+                                   [](const auto& command) { return command.second.v > 0.0; });
+  ASSERT_NE(moving, n.commands.rend());
+  EXPECT_GT(moving->first, 2.3);
+  EXPECT_LT(moving->first, 2.61);
+  EXPECT_EQ(n.statuses.back().status(), FollowStatus_Constants::FAILED);
+  EXPECT_EQ(n.statuses.back().reason(), "the transform from map to odom is older than 0.5 s");
+}
+
 TEST(LocalPlannerComponent, BacksOffUntilSomethingIsBehind) {
   Neighbours n;
   n.requests = {{0, FollowRequest_Constants::BACK_OFF}};

@@ -49,6 +49,7 @@ struct Neighbours {
   int odometry_ends = 1'000'000;
   int odometry_begins = 0;
   bool transforms = true;
+  int transforms_end = 1'000'000;
   std::vector<NamedValue> change;  ///< of the planner's parameters, at 2.05 s
   // What is seen.
   Pose2 X_MB = kStart;
@@ -96,7 +97,7 @@ struct Neighbours {
          tf = setup.output<tf2_msgs::msg::TFMessage>("/tf", Qos::tf())](const Tick& tick) mutable {
           const int step = static_cast<int>(tick.sequence);
           X_MB = advance_exact(X_MB, twist, kStep);
-          if (transforms) tf.publish(map_to_odom(tick.now));
+          if (transforms && step < transforms_end) tf.publish(map_to_odom(tick.now));
           if (step >= odometry_begins && step < odometry_ends) odometry.publish(odom(tick.now));
           obstacles.header(make_header("map", tick.now));
           obstacles_out.publish(obstacles);
