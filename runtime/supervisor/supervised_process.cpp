@@ -9,6 +9,12 @@
 
 namespace bw {
 
+namespace {
+
+constexpr const char* kLastWords = "; last words: ";
+
+}  // namespace
+
 using State = SupervisedProcess::State;
 using Act = SupervisedProcess::Act;
 
@@ -82,7 +88,8 @@ void SupervisedProcess::ended(int status, const std::string& last_words, Duratio
   last_status_ = told_ && status == kTerminated ? 0 : status;
   last_end_ = status_in_words(status);
   if (!fault_.empty()) last_end_ += ": " + fault_;
-  if (!last_words.empty()) last_end_ += "; last words: " + last_words;
+  // One that was started again begins with how the one before it ended: those words are not its own.
+  if (!last_words.empty()) last_end_ += kLastWords + last_words.substr(0, last_words.find(kLastWords));
   const bool was_wanted = asked_ || is_over_;
   state_ = State::ended;
   if (was_wanted) {

@@ -83,6 +83,18 @@ TEST(SupervisedProcess, OneThatNeverSaysReadyIsKilledAfterAMinute) {
   EXPECT_EQ(process.fault(), "did not say READY=1 within 60 s");
 }
 
+// Its first line tells how the one before it ended; killed before it says anything else, that line is the last, and
+// a process that is killed again and again would have a longer one each time.
+TEST(SupervisedProcess, TheLastWordsOfTheOneBeforeAreNotItsOwn) {
+  Up up;
+  up.process.ended(kKilled, "no more memory", at(9.0));
+  up.process.started(at(9.0));
+  up.process.ended(kKilled, "started again; the process before it " + up.process.last_end(), at(10.0));
+  EXPECT_EQ(up.process.last_end(),
+            "was killed by signal 9 (Killed); last words: started again; the process before it was killed by "
+            "signal 9 (Killed)");
+}
+
 TEST(SupervisedProcess, OneThatIsKilledIsStartedAtOnceAndKeepsWhatBecameOfTheOneBefore) {
   Up up;
   up.process.ended(kKilled, "no more memory", at(9.0));
