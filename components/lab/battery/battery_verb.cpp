@@ -1,4 +1,4 @@
-// bandwagon-lab battery, injections and loops.
+// bandwagon-lab battery, injections, loops and soak.
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -13,6 +13,7 @@
 #include "components/lab/battery/battery.hpp"
 #include "components/lab/battery/injections.hpp"
 #include "components/lab/battery/loops.hpp"
+#include "components/lab/battery/soak.hpp"
 #include "components/lab/shards/child_pool.hpp"
 #include "components/lab/shards/kept.hpp"
 #include "runtime/build_identity.hpp"
@@ -203,11 +204,23 @@ void add_loops(cli::Verb verb) {
   });
 }
 
+void add_soak(cli::Verb verb) {
+  auto options = std::make_shared<SoakOptions>();
+  verb.option("GRAPH", options->graph, "Graph file, or the name of one (hallway)");
+  verb.option("--hours", options->hours, "For how long [h]").positive();
+  verb.option("--faults", options->faults, "In virtual time: which, as `--set faults=`; empty: none");
+  verb.option("--seed", options->seed, "Of the run");
+  verb.flag("--real-time", options->is_real, "In real time, and each half minute a process fails");
+  verb.option("--out", options->out, "Folder for what was sampled, and for logs");
+  verb.run([options] { return soak(*options) ? 0 : 1; });
+}
+
 }  // namespace
 
 BW_VERB(measure, "battery", "The table of hazards: n, failures and worst figure of each row", add_battery)
 BW_VERB(measure, "injections", "Processes killed, stopped, spinning and leaking during drives among people",
         add_injections)
 BW_VERB(measure, "loops", "A graph started and stopped again and again", add_loops)
+BW_VERB(measure, "soak", "Hours among people while something fails each half minute", add_soak)
 
 }  // namespace bw
