@@ -120,6 +120,7 @@ class Server::Impl {
   net::executor_work_guard<net::io_context::executor_type> work_;
   tcp::acceptor acceptor_;
   net::steady_timer accept_timer_;
+  bool is_out_of_descriptors_ = false;  ///< and that was told
   net::steady_timer care_timer_;
   std::chrono::steady_clock::time_point farewell_end_;
   std::uint16_t port_ = 0;
@@ -166,12 +167,15 @@ void Server::Impl::accept() {
 void Server::Impl::on_accepted(Error error, tcp::socket socket) {
   if (core_.is_stopping) return;
   if (error) {  // no more file descriptors, or a client that went while it waited
+    if (error == net::error::no_descriptors && !std::exchange(is_out_of_descriptors_, true))
+      core_.logger.warn("no file descriptor is free: who connects waits until one is");
     accept_timer_.expires_after(kAcceptRest);
     accept_timer_.async_wait([this](Error stopped) {
       if (!stopped) accept();
     });
     return;
   }
+  is_out_of_descriptors_ = false;
   Error ignored;
   if (core_.connections >= core_.limits.connections) {
     constexpr std::string_view kFull =

@@ -1,13 +1,16 @@
 // The server by HTTP: pages, the folder of bags, and what is refused.
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 #include <zlib.h>
 
 #include "tests/folder.hpp"
@@ -72,6 +75,44 @@ TEST(Http, ServesThePageCompressedOrNot) {
       ask(run.server.port(), "GET", "/", "If-None-Match: \"x\", \"abc\"\r\nAccept-Encoding: gzip\r\n");
   EXPECT_EQ(known.status, 304);
   EXPECT_EQ(known.body, "");
+}
+
+/// While it lives this process may open one more file.
+class OneDescriptor {
+ public:
+  OneDescriptor() {
+    getrlimit(RLIMIT_NOFILE, &before_);
+    const int next = dup(0);
+    close(next);
+    const rlimit one{.rlim_cur = static_cast<rlim_t>(next) + 1, .rlim_max = before_.rlim_max};
+    setrlimit(RLIMIT_NOFILE, &one);
+  }
+  ~OneDescriptor() { setrlimit(RLIMIT_NOFILE, &before_); }
+  OneDescriptor(const OneDescriptor&) = delete;
+  OneDescriptor& operator=(const OneDescriptor&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
+// The last descriptor is the client's end: who was connected is answered, it is told once, and who waits is answered
+// when there is room again.
+TEST(Http, WithoutAFreeDescriptorItSaysSoAndServesThoseWhoAreThere) {
+  constexpr std::string_view kAsk = "GET / HTTP/1.1\r\nHost: localhost\r\n\r\n";
+  constexpr std::string_view kSays = "no file descriptor is free: who connects waits until one is";
+  RunningServer run({}, small_site());
+  RawClient here(run.server.port());
+  EXPECT_TRUE(here.send(kAsk));
+  EXPECT_EQ(here.receive().status, 200);
+  auto limit = std::make_unique<OneDescriptor>();
+  RawClient waits(run.server.port());
+  EXPECT_TRUE(waits.send(kAsk));
+  EXPECT_TRUE(eventually([&] { return run.log_text().find(kSays) != std::string::npos; }));
+  EXPECT_TRUE(here.send(kAsk));
+  EXPECT_EQ(here.receive().status, 200);
+  limit.reset();
+  EXPECT_EQ(waits.receive().status, 200);
+  EXPECT_EQ(run.log_text().find(kSays), run.log_text().rfind(kSays));
 }
 
 TEST(Http, SaysSoWhereItWasBuiltWithoutAPage) {
