@@ -42,29 +42,36 @@ int count(const std::string& text, const std::string& part) {
   return found;
 }
 
-/// launch.log of a robot that stands for `seconds`, in which `faults` go wrong.
-std::string log_with_faults(const std::string& faults, const std::vector<std::string>& options) {
-  const Folder folder;
-  std::ofstream(folder / "faults.yaml") << faults;
+/// launch.log of a robot that stands, in which `faults` go wrong: until `text` is in it `times`, or for as long as `options` say.
+std::string log_with_faults(const std::string& faults, const std::vector<std::string>& options,
+                            const std::string& text = "", int times = 0) {
+  const Folder settings;
+  std::ofstream(settings / "faults.yaml") << faults;
   std::vector<std::string> words = {"--stay", "--set=navigator.goal.enabled=false",
-                                    "--set=faults=" + (folder / "faults.yaml").string()};
+                                    "--set=faults=" + (settings / "faults.yaml").string()};
   words.insert(words.end(), options.begin(), options.end());
-  launch(folder, words);
-  return text_of(folder / "logs" / "launch.log");
+  Launched graph(words);
+  const auto log = [&] { return text_of(graph.folder / "logs" / "launch.log"); };
+  if (times > 0) {
+    EXPECT_TRUE(eventually([&] { return count(log(), text) >= times; })) << log();
+    Launched::ask({"stop"});
+  }
+  graph.process().wait(std::chrono::seconds(60));
+  return log();
 }
 
 // Time of the run is that of the launch: the next process of that name is not killed again.
 TEST(LaunchFaults, AFaultOfTheGraphKillsAProcessOnce) {
   const std::string log =
-      log_with_faults("f: {kind: process_killed, of: local_planner, from: 8s}\n", {"--for=16"});
+      log_with_faults("f: {kind: process_killed, of: local_planner, from: 6s}\n", {"--for=12"});
   EXPECT_THAT(log, HasSubstr("planning was killed by signal 9 (Killed)"));
   EXPECT_EQ(count(log, "; it is started again"), 1) << log;
   EXPECT_EQ(count(log, "planning is up after"), 2) << log;
 }
 
 TEST(LaunchFaults, ALaneThatSpinsIsNamedAndItsProcessStartedAgain) {
-  const std::string log =
-      log_with_faults("f: {kind: process_spins, of: local_planner, from: 8s}\n", {"--for=16"});
+  const std::string log = log_with_faults("f: {kind: process_spins, of: local_planner, from: 6s}\n", {},
+                                          "planning is up after", 2);
   EXPECT_THAT(log, HasSubstr("planning is killed: "));
   EXPECT_THAT(log, HasSubstr("lane local"));
   EXPECT_EQ(count(log, "planning is up after"), 2) << log;
@@ -73,8 +80,8 @@ TEST(LaunchFaults, ALaneThatSpinsIsNamedAndItsProcessStartedAgain) {
 // It takes no more than the graph allows: not the machine's memory, and nobody else notices.
 TEST(LaunchFaults, AProcessThatLeaksEndsAtItsLimitAlone) {
   const std::string log = log_with_faults(
-      "f: {kind: process_leaks, of: local_planner, from: 8s, for: 5s, parameters: {rate: 2000, most: 2000}}\n",
-      {"--for=18"});
+      "f: {kind: process_leaks, of: local_planner, from: 6s, for: 5s, parameters: {rate: 2000, most: 2000}}\n",
+      {}, "planning is up after", 2);
   EXPECT_EQ(count(log, "; it is started again"), 1) << log;
   EXPECT_THAT(log, HasSubstr("bad_alloc"));
   EXPECT_EQ(count(log, "planning is up after"), 2) << log;
