@@ -18,6 +18,7 @@
 #include "runtime/cli/verb.hpp"
 #include "runtime/graph/config_file.hpp"
 #include "runtime/host/host.hpp"
+#include "runtime/own_program.hpp"
 
 namespace bw {
 namespace {
@@ -103,7 +104,7 @@ void write_robot(const fs::path& from, const fs::path& to) {
 }
 
 int enable(const EnableOptions& options) {
-  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path();
+  const fs::path program = own_program().parent_path();
   const fs::path unit = fs::weakly_canonical(program / "../lib/systemd/system" / kUnit);
   if (!fs::exists(unit))
     throw std::runtime_error(fmt::format(

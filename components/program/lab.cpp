@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "runtime/cli/verb.hpp"
+#include "runtime/own_program.hpp"
 
 namespace bw {
 namespace {
@@ -40,8 +41,7 @@ bool is_for_lab(std::span<const char* const> arguments) {
 }
 
 int become_lab(char** arguments) {
-  std::error_code error;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / kProgram;
+  const auto program = own_program().parent_path() / kProgram;
   execv(program.c_str(), arguments);
   std::cerr << "`" << arguments[1] << "` is of the program " << kProgram << ", which is not at "
             << program.string() << ": launch_scripts/build.sh release lab builds it\n";

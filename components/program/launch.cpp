@@ -25,6 +25,7 @@
 #include "runtime/dds/participant.hpp"
 #include "runtime/graph/config_file.hpp"
 #include "runtime/host/host.hpp"
+#include "runtime/own_program.hpp"
 #include "runtime/state_folder.hpp"
 #include "runtime/supervisor/supervisor.hpp"
 
@@ -86,7 +87,7 @@ std::string numbered(const fs::path& path, int number) {
 
 std::vector<SupervisedProgram> programs_of(const Graph& graph, const RunOptions& run, const Words& words,
                                            const fs::path& logs) {
-  const std::string program = fs::read_symlink("/proc/self/exe").string();
+  const std::string program = own_program().string();
   std::vector<SupervisedProgram> programs;
   if (!run.record.record.empty()) {
     std::vector<std::string> command = {program, "record", "--all"};

@@ -11,6 +11,7 @@
 #include "components/program/score_card_json.hpp"
 #include "runtime/atomic_file.hpp"
 #include "runtime/cli/verb.hpp"
+#include "runtime/own_program.hpp"
 #include "runtime/state_folder.hpp"
 
 namespace bw {
@@ -89,7 +90,7 @@ int run_demo(RunOptions options, const std::filesystem::path& folder, bool has_p
             << (options.clock == "lockstep" ? "simulated time" : "real time")
             << (options.stay ? ", until Ctrl-C" : "") << "):" << std::endl;
   const int status = run(options);
-  const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
+  const std::string program = own_program().string();
   std::cout << "\nScore card: " << options.json << "\nPicture:    " << options.svg
             << "\nOn a page:  " << program << " view " << options.record.record
             << "\nRecording:  " << options.record.record

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "runtime/own_program.hpp"
 #include "runtime/parameters/nearest.hpp"
 #include "runtime/parameters/xdg_folder.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 /// The first that has a name wins.
 std::vector<fs::path> config_folders() {
   std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
+  const fs::path program = own_program().parent_path();
   std::vector<fs::path> folders;
   for (const fs::path& folder : {xdg_folder("XDG_CONFIG_HOME", ".config"),
                                  program / "../share/bandwagon/config", program / "../../../config"}) {

@@ -17,6 +17,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "runtime/own_program.hpp"
 #include "runtime/serial/guardian_protocol.hpp"
 
 namespace bw {
@@ -28,10 +29,7 @@ std::int64_t steady_ns() {
   return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
 }
 
-std::string beside_this_program() {
-  std::error_code error;
-  return (std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / kProgram).string();
-}
+std::string beside_this_program() { return (own_program().parent_path() / kProgram).string(); }
 
 std::string hex_of(std::span<const std::uint8_t> bytes) {
   std::string text;

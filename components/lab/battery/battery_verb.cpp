@@ -19,6 +19,7 @@
 #include "runtime/build_identity.hpp"
 #include "runtime/cli/signals.hpp"
 #include "runtime/cli/verb.hpp"
+#include "runtime/own_program.hpp"
 
 namespace bw {
 namespace {
@@ -102,7 +103,7 @@ class Battery {
  public:
   explicit Battery(const BatteryOptions& options)
       : options_(options), kept_(options.out / "rows"), named_(rows_named(options.rows)) {
-    if (options_.programs.empty()) options_.programs = fs::read_symlink("/proc/self/exe").parent_path();
+    if (options_.programs.empty()) options_.programs = own_program().parent_path();
     fs::create_directories(options_.out);
   }
 

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "runtime/own_program.hpp"
+
 namespace bw {
 namespace {
 
@@ -32,7 +34,7 @@ int count(const std::string& text, const std::string& part) {
 }  // namespace
 
 std::filesystem::path robots_program() {
-  const auto program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "bandwagon";
+  const auto program = own_program().parent_path() / "bandwagon";
   if (!std::filesystem::exists(program))
     throw std::runtime_error(program.string() + ": there is no such program");
   return program;
