@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "runtime/host/runner.hpp"
 #include "runtime/host/service_manager.hpp"
@@ -93,6 +94,7 @@ std::vector<std::pair<std::string, std::string>> Injector::in_words() const {
 
 void Injector::configure(Setup& setup) {
   diagnostics_ = &setup.diagnostics();
+  log_ = setup.log();
   out_ = setup.output<diagnostic_msgs::msg::DiagnosticArray>("/faults", Qos::standard(100));
   setup.every(kStep, "faults", [this](const Tick& tick) { step(tick.now); });
 }
@@ -101,13 +103,18 @@ void Injector::begin(Runner& runner, Time start) {
   runner_ = &runner;
   began_ = start;
   start_ = is_lockstep_ ? start : start - ServiceManager::since_launch().value_or(Duration{});
+  std::vector<std::string_view> names;
   for (const auto& fault : faults_) {
     if (fault->is_of_a_process && !ServiceManager::is_launched())
       throw ConfigError(Violation{fault->settings.where, "faults." + fault->settings.name + ".kind",
                                   fault->settings.kind,
                                   "needs `bandwagon launch`: nobody else would start the process again"});
     diagnostics_->set_value(fault->settings.name, fault->settings.kind + " " + fault->where + ": to come");
+    names.push_back(fault->settings.name);
   }
+  if (!names.empty())
+    log_.warn("the graph makes things fail on purpose (faults: {}): not for a robot among people",
+              fmt::join(names, ", "));
   for (const auto& edges : edges_) {
     const FaultSettings& its = edges->fault->settings;
     // What began before this process did is over for it.

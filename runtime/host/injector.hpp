@@ -81,6 +81,7 @@ class Injector final : public Component, public OutputGate {
   std::uint64_t sequence_ = 0;
   std::map<const InjectedFault*, std::pair<std::int64_t, bool>> told_;
   DiagnosticReporter* diagnostics_ = nullptr;
+  Logger log_;
   Output<diagnostic_msgs::msg::DiagnosticArray> out_;
 };
 
