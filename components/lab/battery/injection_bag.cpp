@@ -70,7 +70,7 @@ InjectedDrive read_injected_drive(const std::filesystem::path& path,
     const std::string& topic = recording->topics()[message.topic].name;
     const double t = message.publish_time.to_seconds();
     if (topic == "/cmd_vel_nav") drive.commands.push_back(t);
-    if (topic == "/tracks") drive.tracks.push_back(t);
+    if (topic == "/odometry/filtered") drive.poses.push_back(t);
     if (const auto reader = readers.find(topic); reader != readers.end()) reader->second(message.data, t);
   }
   std::ranges::sort(drive.begun, {}, &InjectedDrive::Begun::t);

@@ -19,8 +19,10 @@ double speed_at(const std::vector<InjectedDrive::Speed>& speeds, double t) {
 
 class Judge {
  public:
-  Judge(const InjectedDrive& drive, const std::string& commander, const InjectionRules& rules)
-      : drive_(drive), commander_(commander), rules_(rules) {}
+  Judge(const InjectedDrive& drive, const InjectedProcesses& processes, const InjectionRules& rules)
+      : drive_(drive), processes_(processes), rules_(rules) {
+    for (const auto& told : drive.told) told_.push_back(told.t);
+  }
 
   [[nodiscard]] JudgedInjection judge(const InjectedDrive::Begun& begun, double end) const {
     JudgedInjection judged{
@@ -29,10 +31,13 @@ class Judge {
     const double base = judged.standing ? begun.t + *judged.standing : begun.t;
     if (const auto again = first(drive_.truth, base, end, [](double v) { return v > kDrives; }))
       judged.again = base - begun.t + *again;
-    if (begun.injection.process == commander_) {
+    if (begun.injection.process == processes_.commander) {
       judge_stop(drive_.commands, rules_.command_age, begun.t, end, judged);
+    } else if (begun.injection.process == processes_.base) {
+      judge_stop(told_, rules_.command_age, begun.t, end,
+                 judged);  // by what is beyond it: firmware, here the world
     } else {
-      judge_stop(drive_.tracks, rules_.tracks_age, begun.t, end, judged);
+      judge_stop(drive_.poses, rules_.pose_age, begun.t, end, judged);
     }
     return judged;
   }
@@ -100,15 +105,16 @@ class Judge {
   }
 
   const InjectedDrive& drive_;
-  const std::string& commander_;
+  const InjectedProcesses& processes_;
   const InjectionRules& rules_;
+  std::vector<double> told_;  ///< when the wheels were told anything
 };
 
 }  // namespace
 
-std::vector<JudgedInjection> judge(const InjectedDrive& drive, const std::string& commander,
+std::vector<JudgedInjection> judge(const InjectedDrive& drive, const InjectedProcesses& processes,
                                    const InjectionRules& rules) {
-  const Judge one(drive, commander, rules);
+  const Judge one(drive, processes, rules);
   std::vector<JudgedInjection> judged;
   const double last = drive.truth.empty() ? 0.0 : drive.truth.back().t;
   for (std::size_t i = 0; i < drive.begun.size(); ++i) {

@@ -21,7 +21,7 @@ struct InjectedDrive {
   std::vector<Speed> truth;      ///< forward, of the true robot
   std::vector<Speed> told;       ///< of the wheels, as the base tells them to drive
   std::vector<Begun> begun;      ///< as /faults told it
-  std::vector<double> tracks;    ///< when somebody said who is around
+  std::vector<double> poses;     ///< when the localization said where the robot is
   std::vector<double> commands;  ///< when somebody upstream of the base's process commanded
   bool reached = false;          ///< the goal, in the end; false too where the recording does not tell
   int caused_contacts = 0;       ///< that the robot caused
@@ -41,14 +41,17 @@ struct JudgedInjection {
 struct InjectionRules {
   double deceleration = 1.0;  ///< [m/s^2] in normal braking
   double command_age = 0.25;  ///< [s] to the stop frame, where a commander is lost
-  double tracks_age =
-      1.25;  ///< [s] likewise where the tracks are: a second of age as the graph says, and two cycles
-  double margin = 0.1;  ///< [s] beside the stopping distance
+  double pose_age = 0.7;      ///< [s] likewise where the pose is: half a second of age, and two cycles
+  double margin = 0.1;        ///< [s] beside the stopping distance
 };
 
-/// What of `drive` belongs to each injection: until the next one, or the end. `commander`: the process whose loss stops the
-/// base by the age of commands; another one is that of the tracks.
-std::vector<JudgedInjection> judge(const InjectedDrive& drive, const std::string& commander,
+/// Whose loss shows in what: of the commander in commands, of the base in what the wheels are told, of others in poses.
+struct InjectedProcesses {
+  std::string commander, base;
+};
+
+/// What of `drive` belongs to each injection: until the next one, or the end.
+std::vector<JudgedInjection> judge(const InjectedDrive& drive, const InjectedProcesses& processes,
                                    const InjectionRules& rules = {});
 
 }  // namespace bw

@@ -1,10 +1,13 @@
 #include "components/lab/battery/injections.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <map>
+#include <thread>
 
 #include <fmt/format.h>
 
@@ -13,17 +16,40 @@
 #include "components/lab/shards/kept.hpp"
 #include "runtime/atomic_file.hpp"
 #include "runtime/build_identity.hpp"
+#include "runtime/child_process.hpp"
 #include "runtime/cli/signals.hpp"
 
 namespace bw {
 namespace {
 
 constexpr const char* kGraph = "hallway";
-constexpr const char* kCommander = "planning";
+const InjectedProcesses kProcesses{.commander = "planning", .base = "world+base"};
+constexpr const char* kWorldApart =
+    "--set=world.process=world";  // the base may fail, and what is around it goes on
 
 InjectionPlan plan() {
-  return {.processes = {{.name = "planning", .component = "local_planner"},
-                        {.name = "rest", .component = "localization"}}};
+  return {.processes = {{.name = kProcesses.commander, .component = "local_planner"},
+                        {.name = "rest", .component = "localization"},
+                        {.name = kProcesses.base, .component = "motor_control", .leaks = false}}};
+}
+
+bool release_stop(const std::filesystem::path& folder) {
+  const std::filesystem::path log = folder / "release.txt";
+  ChildProcess call({.command = {robots_program().string(), "service", "call", "/release_stop"}, .log = log});
+  while (!call.status()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  std::ifstream said(log);
+  const std::string text{std::istreambuf_iterator<char>(said), {}};
+  return text.find("success: true") != std::string::npos;
+}
+
+/// To its end; a base that was started again waits for a release, which somebody gives, once for each start.
+std::optional<int> follow(Launched& launched, const std::filesystem::path& folder, double patience) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience);
+  for (int starts = 2; std::chrono::steady_clock::now() < end;) {
+    if (const std::optional<int> status = launched.wait(0.5)) return status;
+    if (launched.says(kProcesses.base + " is up after", starts, 0.0) && release_stop(folder)) ++starts;
+  }
+  return std::nullopt;
 }
 
 nlohmann::json number(const std::optional<double>& value) {
@@ -58,9 +84,9 @@ nlohmann::json drive_once(const InjectionsOptions& options, std::uint64_t seed, 
   const std::string bag = (folder / "drive.mcap").string();
   Launched launched(kGraph,
                     {fmt::format("--seed={}", seed), fmt::format("--for={:g}", options.longest),
-                     "--record=" + bag, "--set=faults=" + (folder / "faults.yaml").string()},
+                     "--record=" + bag, kWorldApart, "--set=faults=" + (folder / "faults.yaml").string()},
                     folder);
-  const std::optional<int> status = launched.wait(options.longest + 60.0);
+  const std::optional<int> status = follow(launched, folder, options.longest + 60.0);
   nlohmann::json result = {{"seed", seed}, {"status", status.value_or(-1)}};
   InjectedDrive drive;
   try {
@@ -71,7 +97,7 @@ nlohmann::json drive_once(const InjectionsOptions& options, std::uint64_t seed, 
   result["reached"] = drive.reached || has_reached(folder);
   result["caused_contacts"] = drive.caused_contacts;
   result["injections"] = nlohmann::json::array();
-  for (const JudgedInjection& one : judge(drive, kCommander)) result["injections"].push_back(to_json(one));
+  for (const JudgedInjection& one : judge(drive, kProcesses)) result["injections"].push_back(to_json(one));
   return result;
 }
 

@@ -33,6 +33,8 @@ TEST(InjectionPlan, IsASectionOfFaults) {
             "f1: {kind: process_spins, of: robot_base, from: 16.000s, for: 5s}\n");
 }
 
+const InjectedProcesses kProcesses{.commander = "planning", .base = "base"};
+
 /// At 0.5 m/s, commanded at 10 Hz; the last command at 10 s, told at 50 Hz. The wheels are told to brake after `frame`, and do so
 /// with 1 m/s^2; commands and motion come again at 12 s.
 InjectedDrive lost_at_10s(double frame) {
@@ -53,7 +55,7 @@ InjectedDrive lost_at_10s(double frame) {
 }
 
 TEST(InjectionJudge, TellsStopFrameStandstillAndTheWayOn) {
-  const auto judged = judge(lost_at_10s(0.21), "planning");
+  const auto judged = judge(lost_at_10s(0.21), kProcesses);
   ASSERT_EQ(judged.size(), 1U);
   EXPECT_NEAR(judged[0].speed, 0.5, 1e-9);
   EXPECT_NEAR(*judged[0].stop_frame, 0.24, 0.021);  // 0.02 m/s slower
@@ -64,14 +66,14 @@ TEST(InjectionJudge, TellsStopFrameStandstillAndTheWayOn) {
 }
 
 TEST(InjectionJudge, ALateStopFrameIsTrouble) {
-  EXPECT_THAT(judge(lost_at_10s(0.3), "planning")[0].trouble, HasSubstr("stop frame 3"));
+  EXPECT_THAT(judge(lost_at_10s(0.3), kProcesses)[0].trouble, HasSubstr("stop frame 3"));
 }
 
 TEST(InjectionJudge, ARobotThatDrivesOnWithoutCommandsIsTrouble) {
   InjectedDrive drive = lost_at_10s(0.2);
   for (auto& [t, v] : drive.truth) v = 0.5;
   for (auto& [t, v] : drive.told) v = 0.5;
-  EXPECT_NE(judge(drive, "planning")[0].trouble, "");
+  EXPECT_NE(judge(drive, kProcesses)[0].trouble, "");
 }
 
 // Back before anything was too old: nobody had to stop.
@@ -81,8 +83,8 @@ TEST(InjectionJudge, OneThatIsBackInTimeStopsNobody) {
   for (int i = 0; i < 200; ++i) drive.commands.push_back(0.1 * i);
   for (auto& [t, v] : drive.truth) v = 0.5;
   for (auto& [t, v] : drive.told) v = 0.5;
-  EXPECT_EQ(judge(drive, "planning")[0].trouble, "");
-  EXPECT_FALSE(judge(drive, "planning")[0].stop_frame);
+  EXPECT_EQ(judge(drive, kProcesses)[0].trouble, "");
+  EXPECT_FALSE(judge(drive, kProcesses)[0].stop_frame);
 }
 
 // Who gains speed until what he goes by is old brakes from there.
@@ -91,18 +93,32 @@ TEST(InjectionJudge, TheSpeedIsTheHighestBeforeItIsOld) {
   for (auto& [t, v] : drive.truth) {
     if (t > 10.1 && t < 10.2) v = 0.6;
   }
-  EXPECT_NEAR(*judge(drive, "planning")[0].allowed, -0.02 + 0.25 + 0.6 + 0.1, 1e-9);
+  EXPECT_NEAR(*judge(drive, kProcesses)[0].allowed, -0.02 + 0.25 + 0.6 + 0.1, 1e-9);
 }
 
-// Another process: its tracks grow old, and the planner stops.
-TEST(InjectionJudge, OfAnotherProcessTheTracksCount) {
+// Another process: its pose grows old, and the planner stops.
+TEST(InjectionJudge, OfAnotherProcessThePoseCounts) {
   InjectedDrive drive = lost_at_10s(0.5);
-  drive.tracks = drive.commands;
-  const auto judged = judge(drive, "base");
+  drive.begun.front().injection.process = "rest";
+  drive.poses = drive.commands;
+  const auto judged = judge(drive, kProcesses);
   EXPECT_FALSE(judged[0].stop_frame);
-  EXPECT_NEAR(*judged[0].allowed, -0.02 + 1.25 + 0.5 + 0.1, 1e-9);
+  EXPECT_NEAR(*judged[0].allowed, -0.02 + 0.7 + 0.5 + 0.1, 1e-9);
   EXPECT_NEAR(*judged[0].standing, 0.98, 0.021);
   EXPECT_EQ(judged[0].trouble, "");
+}
+
+// The base itself: nobody tells the wheels anything for two seconds, and what is beyond it brakes.
+TEST(InjectionJudge, OfTheBaseWhatTheWheelsAreToldCounts) {
+  InjectedDrive drive = lost_at_10s(0.2);
+  drive.begun.front().injection.process = "base";
+  std::erase_if(drive.told, [](const auto& told) { return told.t > 10.001 && told.t < 12.0; });
+  const auto judged = judge(drive, kProcesses);
+  EXPECT_FALSE(judged[0].stop_frame);
+  EXPECT_NEAR(*judged[0].allowed, -0.02 + 0.25 + 0.5 + 0.1, 1e-9);
+  EXPECT_EQ(judged[0].trouble, "");
+  for (auto& [t, v] : drive.truth) v = 0.5;
+  EXPECT_THAT(judge(drive, kProcesses)[0].trouble, HasSubstr("did not stand"));
 }
 
 }  // namespace
