@@ -39,4 +39,24 @@ inline std::optional<WheelSpeeds> wheel_speeds_of(const sensor_msgs::msg::JointS
   return WheelSpeeds{message.velocity()[left] * radii.left, message.velocity()[1 - left] * radii.right};
 }
 
+/// When a device tells the wheels of the simulated world their speeds: at once when they change, and again as long as they
+/// hold, since the world brakes when it hears nothing, as a motor's firmware does.
+class ToldWheels {
+ public:
+  static constexpr Duration kAgain = Duration::milliseconds(100);
+
+  bool is_due(const WheelSpeeds& wheels, Time now) {
+    if (wheels_ == wheels && now - told_ < kAgain) return false;
+    wheels_ = wheels;
+    told_ = now;
+    return true;
+  }
+  /// The next is due whatever it is.
+  void forget() { wheels_.reset(); }
+
+ private:
+  std::optional<WheelSpeeds> wheels_;
+  Time told_;
+};
+
 }  // namespace bw

@@ -85,10 +85,8 @@ class BaseEmulatorComponent final : public Component {
     is_plugged_ = is_plugged;
   }
 
-  /// The world holds a command until the next one.
   void drive_wheels(const WheelSpeeds& wheels, Time now) {
-    if (driven_ == wheels) return;
-    driven_ = wheels;
+    if (!told_.is_due(wheels, now)) return;
     wheels_.publish(to_joint_state(wheels, {firmware_->wheel_radius(), firmware_->wheel_radius()}, now));
   }
 
@@ -101,7 +99,7 @@ class BaseEmulatorComponent final : public Component {
   std::optional<TrueBody> body_;
   std::optional<Time> last_step_;  ///< of the world
   bool is_plugged_ = true;
-  std::optional<WheelSpeeds> driven_;
+  ToldWheels told_;
   Output<sensor_msgs::msg::JointState> wheels_;
 };
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <utility>
 
 #include <bandwagon_msgs/msg/wheel_ticks.hpp>
@@ -33,15 +32,12 @@ class SimulatedDriver final : public Driver {
 
   Readings poll(Time) override { return std::exchange(readings_, {}); }
 
-  /// The world holds a command until the next one.
   bool command(Time now, const WheelSpeeds& wheels) override {
-    if (sent_ == wheels) return true;
-    sent_ = wheels;
-    commands_.publish(to_joint_state(wheels, radii_, now));
+    if (told_.is_due(wheels, now)) commands_.publish(to_joint_state(wheels, radii_, now));
     return true;
   }
   void stop(Time now) override {
-    sent_.reset();
+    told_.forget();
     command(now, {});
   }
 
@@ -50,7 +46,7 @@ class SimulatedDriver final : public Driver {
   std::function<void(Time now)> wake_;
   Output<sensor_msgs::msg::JointState> commands_;
   Readings readings_;
-  std::optional<WheelSpeeds> sent_;
+  ToldWheels told_;
 };
 
 }  // namespace bw

@@ -17,8 +17,9 @@ RobotEnds::RobotEnds(Setup& setup, World& world, std::size_t robot, const std::s
                      const Robot& kind, const WorldOptions& options)
     : world_(&world), robot_(robot), log_(setup.log()), map_frame_(setup.frame("map")) {
   const std::string below = name.empty() ? "" : name + "/";
-  setup.input<sensor_msgs::msg::JointState>(below + "sim/wheel_commands", Qos::command(),
-                                            [this](const auto& message, const Tick&) { command(message); });
+  setup.input<sensor_msgs::msg::JointState>(
+      below + "sim/wheel_commands", Qos::command(),
+      [this](const auto& message, const Tick& tick) { command(message, tick.now); });
   footprint_.listen(
       setup, kind, [this](const Footprint& now) { world_->set_footprint(now, robot_); }, below);
   ticks_ = setup.output<bandwagon_msgs::msg::WheelTicks>(below + "sim/wheel_ticks");
@@ -36,7 +37,8 @@ RobotEnds::RobotEnds(Setup& setup, World& world, std::size_t robot, const std::s
   scan_message_.header().frame_id(setup.frame(below + options.laser.frame));
 }
 
-void RobotEnds::command(const sensor_msgs::msg::JointState& message) {
+void RobotEnds::command(const sensor_msgs::msg::JointState& message, Time now) {
+  commanded_ = now;
   const auto& rates = message.velocity();
   const bool usable = rates.size() == 2 && world_->command({rates[0], rates[1]}, robot_);
   if (!usable) world_->command({}, robot_);
@@ -48,6 +50,10 @@ void RobotEnds::command(const sensor_msgs::msg::JointState& message) {
 void RobotEnds::publish(const WorldOptions& options, Time start) {
   const WorldSample& sample = world_->samples()[robot_];
   const Time stamp = start + sample.time;
+  if (commanded_ && stamp - *commanded_ > kCommandTimeout) {
+    world_->command({}, robot_);
+    commanded_.reset();
+  }
   if (sample.ticks) send(ticks_, to_message(*sample.ticks, stamp), base_frame_);
   if (sample.imu) send(imu_, to_message(*sample.imu, options.imu, stamp), imu_frame_);
   for (const GpsFix& fix : sample.fixes) send(fix_, to_message(fix, options.gps, start), gps_frame_);

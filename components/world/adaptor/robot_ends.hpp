@@ -1,6 +1,7 @@
 // The topics of one robot of the world: wheel commands in, its sensors and its truth out.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,12 +26,16 @@ class RobotEnds {
   void publish(const WorldOptions& options, Time start);
 
  private:
-  void command(const sensor_msgs::msg::JointState& message);
+  /// A base that hears nothing for longer brakes, as a motor's firmware does: who commanded may be gone.
+  static constexpr Duration kCommandTimeout = Duration::milliseconds(300);
+
+  void command(const sensor_msgs::msg::JointState& message, Time now);
 
   World* world_;
   std::size_t robot_;
   CurrentFootprint footprint_;
   bool was_usable_ = true;
+  std::optional<Time> commanded_;  ///< nothing: it stands, or brakes
   Logger log_;
   std::string map_frame_;
   std::string base_frame_;

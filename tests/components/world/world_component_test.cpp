@@ -33,7 +33,8 @@ struct Seen {
 /// Rotates both wheels at `rate` [rad/s] and keeps everything the world says.
 class Observer final : public Component {
  public:
-  Observer(double rate, Seen& seen) : rate_(rate), seen_(seen) {}
+  /// Commands from `last` [s] on are not sent any more.
+  Observer(double rate, Seen& seen, double last) : rate_(rate), seen_(seen), last_(last) {}
 
   void configure(Setup& setup) override {
     commands_ = setup.command<sensor_msgs::msg::JointState>("sim/wheel_commands");
@@ -43,7 +44,8 @@ class Observer final : public Component {
     keep(setup, "imu", seen_.readings);
     keep(setup, "gps/fix", seen_.fixes);
     keep(setup, "sim/obstacles", seen_.obstacles, Qos::latched());
-    setup.every(Duration::milliseconds(100), "drive", [this](const Tick&) {
+    setup.every(Duration::milliseconds(100), "drive", [this](const Tick& tick) {
+      if (0.1 * static_cast<double>(tick.sequence) >= last_) return;
       sensor_msgs::msg::JointState message;
       message.velocity({rate_, rate_});
       commands_.publish(message);
@@ -59,15 +61,17 @@ class Observer final : public Component {
 
   double rate_;
   Seen& seen_;
+  double last_;
   Output<sensor_msgs::msg::JointState> commands_;
 };
 
-Seen run(const std::string& parameters, double rate, std::uint64_t seed, std::string* sha256 = nullptr) {
+Seen run(const std::string& parameters, double rate, std::uint64_t seed, std::string* sha256 = nullptr,
+         double last_command = 1e9) {
   const auto path = std::filesystem::path(::testing::TempDir()) / "world_component_test.yaml";
   std::ofstream(path) << "components:\n  world:\n    parameters: " << parameters << "\n";
   Seen seen;
   std::vector<ExtraComponent> extra;
-  extra.push_back({"observer", std::make_unique<Observer>(rate, seen)});
+  extra.push_back({"observer", std::make_unique<Observer>(rate, seen, last_command)});
   Host host(load_graph(path, {}), {.clock = ClockMode::lockstep, .seed = seed}, std::move(extra));
   host.run(Duration::seconds(5.0));
   if (sha256 != nullptr) *sha256 = host.samples_sha256();
@@ -108,6 +112,23 @@ TEST(WorldComponent, SaysWhereTheRobotIsAndWhatItSees) {
   ASSERT_GE(seen.fixes.size(), 4u);
   EXPECT_NEAR(seen.fixes[0].latitude(), 21.0 + 2.0 / 110'700.0, 1e-6);
   EXPECT_TRUE(std::isnan(seen.fixes[0].altitude()));
+}
+
+// The last command is that of 1.9 s; 0.3 s later it brakes, and stands long before the end.
+TEST(WorldComponent, ABaseThatIsToldNothingAnyMoreBrakes) {
+  const Seen seen = run(kQuiet, 5.0, 1, nullptr, 1.95);
+  double last_motion = 0.0, top = 0.0;
+  const double begin = from_stamp(seen.truths.front().header().stamp()).to_seconds();
+  for (const auto& truth : seen.truths) {
+    top = std::max(top, truth.twist().linear().x());
+    if (truth.twist().linear().x() > 0.9 * top)
+      last_motion = from_stamp(truth.header().stamp()).to_seconds() - begin;
+  }
+  EXPECT_GT(top, 0.1);
+  EXPECT_GE(last_motion, 1.9 + 0.3 - 0.02);  // a truth each 20 ms
+  EXPECT_LE(last_motion, 1.9 + 0.3 + 0.1);   // and the tenth of the speed that it loses first
+  EXPECT_EQ(seen.truths.back().twist().linear().x(), 0.0);
+  EXPECT_GT(run(kQuiet, 5.0, 1).truths.back().twist().linear().x(), 0.9 * top);
 }
 
 TEST(WorldComponent, ReadsAHallwayOfWalkersFromYaml) {
