@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "runtime/own_program.hpp"
+#include "runtime/base/own_program.hpp"
 #include "runtime/parameters/nearest.hpp"
 #include "runtime/parameters/xdg_folder.hpp"
 
