@@ -50,9 +50,9 @@ std::string score_text(const StretchScore& score, bool has_velocities) {
       figure(s.mota(), "{:.3f}"), figure(s.motp(), "{:.3f}"), s.people - s.matched, s.people,
       score.possible_at_misses, s.false_positives, s.switches, figure(score.tracks_per_person(), "{:.2f}"));
   text += fmt::format(
-      "  in plain view: recall {} of {}; precision {}; {:.1f} person-minutes; possible people elsewhere {}\n",
-      figure(s.recall(), "{:.3f}"), s.plain, figure(s.precision(), "{:.3f}"), s.person_minutes(),
-      score.possible_elsewhere);
+      "  IDF1 {}  GOSPA {} m  in plain view: recall {} of {}; precision {}; {:.1f} person-minutes; possible people elsewhere {}\n",
+      figure(s.idf1(), "{:.3f}"), figure(s.mean_gospa(), "{:.3f}"), figure(s.recall(), "{:.3f}"), s.plain,
+      figure(s.precision(), "{:.3f}"), s.person_minutes(), score.possible_elsewhere);
   text += "  confirmed after: " + confirmation_text(s.confirmation) +
           "; who walks: " + confirmation_text(s.walkers_confirmation) + "\n";
   if (has_velocities) text += "  velocity error " + figure(s.velocity_rmse(), "{:.3f}") + " m/s rms\n";
@@ -116,6 +116,8 @@ ordered_json to_json(const StretchScore& score, bool has_velocities) {
                        {"people", score.tracks.size()},
                        {"mota", s.mota()},
                        {"motp_m", s.motp()},
+                       {"idf1", s.idf1()},
+                       {"gospa_m", s.mean_gospa()},
                        {"places", s.people},
                        {"misses", s.people - s.matched},
                        {"misses_possible", score.possible_at_misses},

@@ -1,6 +1,7 @@
 #include "components/people/score/clear_mot.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 
@@ -15,6 +16,9 @@ void Score::add(const Score& other) {
   switches += other.switches;
   switches_seen += other.switches_seen;
   distance += other.distance;
+  identified += other.identified;
+  gospa += other.gospa;
+  sweeps += other.sweeps;
   plain += other.plain;
   plain_matched += other.plain_matched;
   velocities += other.velocities;
@@ -40,6 +44,7 @@ void ScoreKeeper::add(double now, const std::vector<TruePerson>& truth,
     if (taken_[j] == 0 && counts_if_false(confirmed_[j].position)) false_tracks_.push_back(confirmed_[j].id);
   }
   score_.false_positives += static_cast<long>(false_tracks_.size());
+  compare(truth);
   last_ = now;
 }
 
@@ -50,6 +55,44 @@ void ScoreKeeper::close() {
     if (memory.waited_walking >= kPatience) score_.walkers_confirmation.push_back(memory.waited_walking);
     memory.confirmed = true;
   }
+  identify();
+}
+
+/// Who counts with the tracks that do: those matched with them, and the false ones.
+void ScoreKeeper::compare(const std::vector<TruePerson>& truth) {
+  std::vector<Vector2> people, positions;
+  std::vector<std::size_t> tracks;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    if (!truth[i].counted) continue;
+    people.push_back(truth[i].position);
+    if (match_[i] >= 0) tracks.push_back(static_cast<std::size_t>(match_[i]));
+  }
+  for (std::size_t j = 0; j < confirmed_.size(); ++j)
+    if (std::ranges::count(false_tracks_, confirmed_[j].id) > 0) tracks.push_back(j);
+  for (const std::size_t j : tracks) {
+    positions.push_back(confirmed_[j].position);
+    for (const TruePerson& person : truth) {
+      if (person.counted && (person.position - confirmed_[j].position).norm() <= kRadius)
+        ++together_[{person.id, confirmed_[j].id}];
+    }
+  }
+  score_.gospa += gospa_(people, positions);
+  ++score_.sweeps;
+}
+
+/// One track for each person, from beginning to end, so that the sweeps in which they are together are most.
+void ScoreKeeper::identify() {
+  std::map<std::uint32_t, std::size_t> column;
+  for (const auto& [pair, count] : together_) column.try_emplace(pair.second, column.size());
+  assignment_.begin(column.size());
+  std::optional<std::uint32_t> row;
+  for (const auto& [pair, count] : together_) {
+    if (row != pair.first) assignment_.add_row(0.0);
+    row = pair.first;
+    assignment_.allow(column.at(pair.second), -static_cast<double>(count));
+  }
+  assignment_.solve();
+  score_.identified = std::lround(-assignment_.total());
 }
 
 std::uint32_t ScoreKeeper::track_of(std::uint32_t person) const {

@@ -5,6 +5,12 @@
 //   MOTA = 1 - (misses + false positives + identity switches) / people,   MOTP: mean distance of the matched
 //
 // Matches of the last sweep stay while they are within the radius; the rest is assigned at least cost.
+//
+//   IDF1 = 2 IDTP / (people + tracks)    (Ristani et al., ECCV workshops 2016)
+//
+// IDTP: sweeps in which somebody is within the radius of the one track that stands for them from beginning to
+// end, each track for one person at most, chosen so that they are most. GOSPA: gospa.hpp, its mean over
+// sweeps. Tracks on who is not counted, or out of the area that counts, are left out of both.
 #pragma once
 
 #include <cmath>
@@ -12,9 +18,11 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "components/model/tracked_person.hpp"
+#include "components/people/score/gospa.hpp"
 #include "components/people/tracker/assignment.hpp"
 #include "runtime/base/quantile.hpp"
 
@@ -37,6 +45,9 @@ struct Score {
   long switches = 0;
   long switches_seen = 0;  ///< of them: not because the person was out of sight for more than 2 s
   double distance = 0.0;   ///< sum over the matched [m]
+  long identified = 0;     ///< IDTP; known when the keeper is closed
+  double gospa = 0.0;      ///< sum over sweeps [m]
+  long sweeps = 0;
   // Over those counted and unoccluded.
   long plain = 0;
   long plain_matched = 0;
@@ -55,6 +66,10 @@ struct Score {
            static_cast<double>(people - matched + false_positives + switches) / static_cast<double>(people);
   }
   double motp() const { return distance / static_cast<double>(matched); }
+  double idf1() const {
+    return 2.0 * static_cast<double>(identified) / static_cast<double>(people + matched + false_positives);
+  }
+  double mean_gospa() const { return gospa / static_cast<double>(sweeps); }
   double recall() const { return static_cast<double>(plain_matched) / static_cast<double>(plain); }
   double precision() const {
     return static_cast<double>(matched) / static_cast<double>(matched + false_positives);
@@ -84,7 +99,7 @@ class ScoreKeeper {
   void add(double now, const std::vector<TruePerson>& truth, const std::vector<TrackedPerson>& tracks,
            const std::function<bool(const Vector2&)>& counts_if_false);
 
-  /// Nothing more comes: those who wait for their confirmation are counted.
+  /// Nothing more comes: those who wait for their confirmation are counted, and identities.
   void close();
 
   const Score& score() const { return score_; }
@@ -115,6 +130,8 @@ class ScoreKeeper {
   };
 
   void match(const std::vector<TruePerson>& truth);
+  void compare(const std::vector<TruePerson>& truth);
+  void identify();
   void keep_matches(const std::vector<TruePerson>& truth);
   void judge(double now, const TruePerson& person, int matched);
   void look(double now, const TruePerson& person, Memory& memory);
@@ -130,6 +147,9 @@ class ScoreKeeper {
   std::vector<int> match_;
   std::vector<char> taken_;
   std::vector<std::uint32_t> false_tracks_;
+  Gospa gospa_;
+  /// Sweeps in which a person (first) was within the radius of a track (second).
+  std::map<std::pair<std::uint32_t, std::uint32_t>, long> together_;
 };
 
 }  // namespace bw::people

@@ -44,6 +44,7 @@ class StretchJudge {
 
   StretchScore judge() {
     for (const LabelledInstant& instant : labels_) judge_instant(instant);
+    at_labels_.close();
     score_.instants = static_cast<long>(labels_.size());
     score_.clear_mot = at_labels_.score();
     if (!labels_.empty()) judge_sweeps();

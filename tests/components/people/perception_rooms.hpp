@@ -44,18 +44,18 @@ struct RoomsRecord {
 
 inline void print_heading() {
   std::printf(
-      "%-34s %6s  %6s %6s %6s %6s  %5s %6s  %5s %5s  %6s  %5s  (switches per 10 person-min; walkers: plain "
+      "%-34s %6s  %6s %6s %6s %6s  %6s %6s  %5s %6s  %5s %5s  %6s  %5s  (switches per 10 person-min; walkers: plain "
       "view [s])\n",
-      "room", "p-min", "recall", "prec.", "MOTA", "MOTP", "sw.in", "sw.all", "w.50%", "w.95%", "veloc.",
-      "steady");
+      "room", "p-min", "recall", "prec.", "MOTA", "MOTP", "IDF1", "GOSPA", "sw.in", "sw.all", "w.50%",
+      "w.95%", "veloc.", "steady");
 }
 
 inline void print_line(const std::string& room, const Score& score) {
-  std::printf("%-34s %6.1f  %6.3f %6.4f %6.3f %6.3f  %5.1f %6.1f  %5.2f %5.2f  %6.3f  %5.3f\n", room.c_str(),
-              score.person_minutes(), score.recall(), score.precision(), score.mota(), score.motp(),
-              score.seen_switches_per_ten_minutes(), score.switches_per_ten_minutes(),
-              score.walkers_confirmation_quantile(0.5), score.walkers_confirmation_quantile(0.95),
-              score.velocity_rmse(), score.steady_rmse());
+  std::printf("%-34s %6.1f  %6.3f %6.4f %6.3f %6.3f  %6.3f %6.3f  %5.1f %6.1f  %5.2f %5.2f  %6.3f  %5.3f\n",
+              room.c_str(), score.person_minutes(), score.recall(), score.precision(), score.mota(),
+              score.motp(), score.idf1(), score.mean_gospa(), score.seen_switches_per_ten_minutes(),
+              score.switches_per_ten_minutes(), score.walkers_confirmation_quantile(0.5),
+              score.walkers_confirmation_quantile(0.95), score.velocity_rmse(), score.steady_rmse());
 }
 
 inline void print_false(const std::string& room, const TrialRecord& record) {

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "components/people/score/gospa.hpp"
 #include "components/people/score/sweep_view.hpp"
 
 namespace bw::people {
@@ -53,6 +54,20 @@ class StandingPerson : public testing::Test {
   std::vector<LabelledInstant> labels_;
 };
 
+// 0.3^2 + 0.4^2 of who is found; half of 0.75^2 for each who is missed or false, also for a pair farther apart.
+TEST(Gospa, IsTheSumOverFoundMissedAndFalse) {
+  Gospa gospa;
+  const double one = 0.75 * 0.75 / 2.0;
+  EXPECT_EQ(gospa({}, {}), 0.0);
+  EXPECT_NEAR(gospa({{0.0, 0.0}}, {}), std::sqrt(one), 1e-12);
+  EXPECT_NEAR(gospa({}, {{0.0, 0.0}, {1.0, 0.0}}), std::sqrt(2.0 * one), 1e-12);
+  EXPECT_NEAR(gospa({{0.0, 0.0}}, {{0.8, 0.0}}), 0.75, 1e-12);
+  EXPECT_NEAR(gospa({{0.0, 0.0}, {3.0, 0.0}}, {{8.0, 8.0}, {3.0, 0.4}, {0.3, 0.0}}),
+              std::sqrt(0.09 + 0.16 + one), 1e-12);
+  // Not the nearest first: 0.1 m and then nobody, but 0.3 m each.
+  EXPECT_NEAR(gospa({{0.0, 0.0}, {0.4, 0.0}}, {{0.3, 0.0}, {-0.3, 0.0}}), std::sqrt(0.09 + 0.01), 1e-12);
+}
+
 TEST_F(StandingPerson, IsScoredByHand) {
   std::vector<TrackedSweep> sweeps;
   for (int i = 0; i <= 45; ++i) {
@@ -73,6 +88,12 @@ TEST_F(StandingPerson, IsScoredByHand) {
   EXPECT_NEAR(s.mota(), 1.0 - (2 + 1 + 1) / 10.0, 1e-12);
   EXPECT_NEAR(s.motp(), 0.1, 1e-12);
   EXPECT_NEAR(s.person_minutes(), 4.5 / 60.0, 1e-12);
+  // Together with 7 at 3 instants and with 8 at 5, of 10 of the person and 9 of tracks.
+  EXPECT_EQ(s.identified, 5);
+  EXPECT_NEAR(s.idf1(), 2.0 * 5.0 / (10.0 + 9.0), 1e-12);
+  // Missed twice, 0.1 m off at 8 instants, with a false track at one of them.
+  const double one = 0.75 * 0.75 / 2.0;
+  EXPECT_NEAR(s.mean_gospa(), (2.0 * std::sqrt(one) + 7.0 * 0.1 + std::sqrt(0.01 + one)) / 10.0, 1e-12);
   EXPECT_EQ(score.possible_at_misses, 1);  // at 0.5 s
   EXPECT_EQ(score.possible_elsewhere, 2);  // track 10 at 4.0 and 4.5 s
   EXPECT_EQ(score.tracks_per_person(), 2.0);
