@@ -102,17 +102,15 @@ PersonTrack person_of(const HeardPerson& heard, double deviation, Time now, cons
                      .last_seen = now - Duration::seconds(options.hidden.kRemembered),
                      .score = 0.0};
   person.existence.prior = Existence::kUnseen;
-  if (options.motion == MotionFilter::heading) {
-    Eigen::Vector4d motion;
-    motion << person.walker.position(), person.walker.velocity();
-    person.heading = HeadingFilter(motion, person.walker.covariance(), options.heading);
-  }
+  Eigen::Vector4d motion;
+  motion << person.walker.position(), person.walker.velocity();
+  person.heading = HeadingFilter(motion, person.walker.covariance(), options.heading);
   return person;
 }
 
 void correct_by(const HeardPerson& heard, double deviation, const TrackerOptions& options,
                 PersonTrack& person) {
-  if (person.heading) person.heading->correct({heard.position, isotropic(deviation)}, options.heading);
+  person.heading.correct({heard.position, isotropic(deviation)}, options.heading);
   person.walker.correct(BodyPart::middle, heard.position, isotropic(deviation), options.walker);
 }
 

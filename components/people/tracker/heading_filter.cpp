@@ -13,14 +13,13 @@ constexpr double kSurpriseMemory = 0.5;  // [s]
 // Share of the velocity's covariance that is its error where innovations are as foreseen, measured: NEES 2.
 constexpr double kTrueShare = 0.7;
 constexpr double kLeastShare = 0.02;
-constexpr double kLongestStep = 0.1;  // [s] over which a turn is linear enough
 
 }  // namespace
 
 HeadingFilter::HeadingFilter(const Eigen::Vector4d& motion, const Eigen::Matrix4d& covariance,
                              const HeadingOptions& options) {
-  x_.head<4>() = motion;
-  P_.topLeftCorner<4, 4>() = covariance;
+  x_ = motion;
+  P_ = covariance;
   choose_form(options);
 }
 
@@ -42,27 +41,19 @@ void HeadingFilter::predict(double dt, const HeadingOptions& options) {
   since_ += dt;
   if (!walks_) {
     const Eigen::Matrix4d F = glide(dt);
-    x_.head<4>() = F * x_.head<4>();
-    P_.topLeftCorner<4, 4>() =
-        F * P_.topLeftCorner<4, 4>() * F.transpose() + glide_noise(dt, options.acceleration_standing);
+    x_ = (F * x_).eval();
+    P_ = (F * P_ * F.transpose() + glide_noise(dt, options.acceleration_standing)).eval();
     return;
   }
-  const HeadingNoise noise{options.heading_noise, options.acceleration,
-                           options.turn_rate ? options.turn_rate_noise : 0.0};
-  const int steps = options.turn_rate ? static_cast<int>(std::ceil(dt / kLongestStep)) : 1;
-  const double step = dt / steps;
-  for (int i = 0; i < steps; ++i) {
-    const HeadingCovariance F = walked_jacobian(x_, step, options.turn_rate_memory);
-    P_ = (F * P_ * F.transpose() + walked_noise(x_, step, noise)).eval();
-    x_ = walked(x_, step, options.turn_rate_memory);
-  }
-  x_[2] = wrap_angle(x_[2]);
+  const HeadingCovariance F = walked_jacobian(x_, dt);
+  P_ = (F * P_ * F.transpose() + walked_noise(x_, dt, {options.heading_noise, options.acceleration})).eval();
+  x_ = walked(x_, dt);
 }
 
 void HeadingFilter::correct(const SeenPosition& seen, const HeadingOptions& options) {
   const Eigen::Matrix2d S = P_.topLeftCorner<2, 2>() + seen.covariance;
-  const Eigen::Matrix<double, 5, 2> PHt = P_.leftCols<2>();
-  const Eigen::Matrix<double, 5, 2> K = S.ldlt().solve(PHt.transpose()).transpose();
+  const Eigen::Matrix<double, 4, 2> PHt = P_.leftCols<2>();
+  const Eigen::Matrix<double, 4, 2> K = S.ldlt().solve(PHt.transpose()).transpose();
   const Vector2 innovation = seen.position - position();
   surprise_ += std::min(1.0, since_ / kSurpriseMemory) *
                (innovation.dot(S.ldlt().solve(innovation)) / 2.0 - surprise_);
@@ -78,19 +69,13 @@ void HeadingFilter::correct(const SeenPosition& seen, const HeadingOptions& opti
 void HeadingFilter::choose_form(const HeadingOptions& options) {
   const double speed = velocity().norm();
   if (!walks_ && speed >= options.walking_speed) {
-    const Eigen::Vector4d m = x_.head<4>();
-    const Eigen::Matrix<double, 5, 4> J = with_heading_jacobian(m);
-    P_ = (J * P_.topLeftCorner<4, 4>() * J.transpose()).eval();
-    // A turn that nobody has seen yet is as likely as those who walk turn.
-    if (options.turn_rate)
-      P_(4, 4) = options.turn_rate_noise * options.turn_rate_noise * options.turn_rate_memory / 2.0;
-    x_ = with_heading(m);
+    const HeadingCovariance J = with_heading_jacobian(x_);
+    P_ = (J * P_ * J.transpose()).eval();
+    x_ = with_heading(x_);
     walks_ = true;
   } else if (walks_ && speed < options.walking_speed) {
-    const Eigen::Matrix4d C = covariance();
-    x_ << without_heading(x_), 0.0;
-    P_.setZero();
-    P_.topLeftCorner<4, 4>() = C;
+    P_ = covariance();
+    x_ = without_heading(x_);
     walks_ = false;
   } else if (walks_ && x_[3] < 0.0) {  // backwards is forwards the other way round
     x_[3] = -x_[3];
@@ -105,10 +90,7 @@ Vector2 HeadingFilter::velocity() const {
   return walks_ ? Vector2(x_[3] * direction(x_[2])) : Vector2(x_.segment<2>(2));
 }
 
-Eigen::Matrix4d HeadingFilter::covariance() const {
-  if (!walks_) return P_.topLeftCorner<4, 4>();
-  return covariance_without_heading(x_, P_);
-}
+Eigen::Matrix4d HeadingFilter::covariance() const { return walks_ ? covariance_without_heading(x_, P_) : P_; }
 
 Eigen::Matrix4d HeadingFilter::true_covariance() const {
   const double unseen = std::min(1.0, since_ / kSurpriseMemory);  // nobody looks: as it is foreseen

@@ -2,8 +2,7 @@
 // they were seen. While they stand, or nearly, a velocity shows no heading: then the state is (x, y, vx, vy).
 //
 // The covariance goes from velocities to a heading by the derivative, and back by the exact moments, as the
-// derivative is wrong where the heading is worth little. The turn rate, the optional fifth state, is
-// forgotten at a stand.
+// derivative is wrong where the heading is worth little.
 //
 // Predict a copy to look ahead: its position, velocity and covariance are those of then.
 #pragma once
@@ -26,12 +25,6 @@ struct HeadingOptions {
   double walking_speed = 0.2;
   /// [m] standard deviation of the middle between the legs, beyond that of the legs (set by code alone)
   double position_noise = 0.02;
-  /// estimate the turn rate as a fifth state (set by code alone)
-  bool turn_rate = false;
-  /// [rad/s^2/sqrt(Hz)] how fast the turn rate changes (set by code alone)
-  double turn_rate_noise = 1.0;
-  /// [s] a turn rate dies out within this time (time constant) (set by code alone)
-  double turn_rate_memory = 0.6;
 };
 
 /// A position where somebody was seen.
@@ -42,6 +35,8 @@ struct SeenPosition {
 
 class HeadingFilter {
  public:
+  HeadingFilter() = default;  ///< nobody yet
+
   /// Seen at two positions, `dt` > 0 [s] apart.
   HeadingFilter(const SeenPosition& first, const SeenPosition& second, double dt,
                 const HeadingOptions& options);
@@ -61,8 +56,7 @@ class HeadingFilter {
   /// velocity is as sure as the last innovations were small.
   Eigen::Matrix4d true_covariance() const;
 
-  bool walks() const { return walks_; }                      ///< whether there is a heading
-  double turn_rate() const { return walks_ ? x_[4] : 0.0; }  ///< [rad/s]
+  bool walks() const { return walks_; }  ///< whether there is a heading
 
  private:
   void choose_form(const HeadingOptions& options);
@@ -70,7 +64,7 @@ class HeadingFilter {
   bool walks_ = false;
   double surprise_ = 1.0;                  ///< mean squared innovation over what was foreseen, lately
   double since_ = 0.0;                     ///< predicted since the last correction [s]
-  HeadingState x_ = HeadingState::Zero();  ///< (x, y, theta, v, omega), or (x, y, vx, vy, 0)
+  HeadingState x_ = HeadingState::Zero();  ///< (x, y, theta, v), or (x, y, vx, vy)
   HeadingCovariance P_ = HeadingCovariance::Zero();
 };
 

@@ -3,67 +3,34 @@
 #include <cmath>
 
 namespace bw::people {
-namespace {
-
-/// sin(a) / a and its derivative.
-struct Sinc {
-  double value;
-  double slope;
-};
-
-Sinc sinc(double a) {
-  if (std::abs(a) < 1e-3) return {1.0 - a * a / 6.0, -a / 3.0 + a * a * a / 30.0};
-  const double value = std::sin(a) / a;
-  return {value, (std::cos(a) - value) / a};
-}
-
-/// Radians rotated over dt for each rad/s at its start.
-double turn_rate_time(double dt, double memory) { return -memory * std::expm1(-dt / memory); }
-
-}  // namespace
-
-HeadingState walked(const HeadingState& x, double dt, double turn_rate_memory) {
-  const double rotation = x[4] * turn_rate_time(dt, turn_rate_memory);
+HeadingState walked(const HeadingState& x, double dt) {
   HeadingState after = x;
-  after.head<2>() += x[3] * dt * sinc(rotation / 2.0).value * direction(x[2] + rotation / 2.0);
-  after[2] += rotation;
-  after[4] *= std::exp(-dt / turn_rate_memory);
+  after.head<2>() += x[3] * dt * direction(x[2]);
   return after;
 }
 
-HeadingCovariance walked_jacobian(const HeadingState& x, double dt, double turn_rate_memory) {
-  const double k = turn_rate_time(dt, turn_rate_memory);
-  const double half = x[4] * k / 2.0;
-  const Sinc chord = sinc(half);
-  const Vector2 along = direction(x[2] + half);
-  const Vector2 left(-along.y(), along.x());
+HeadingCovariance walked_jacobian(const HeadingState& x, double dt) {
+  const Vector2 along = direction(x[2]);
   HeadingCovariance F = HeadingCovariance::Identity();
-  F.block<2, 1>(0, 2) = x[3] * dt * chord.value * left;
-  F.block<2, 1>(0, 3) = dt * chord.value * along;
-  F.block<2, 1>(0, 4) = x[3] * dt * k / 2.0 * (chord.slope * along + chord.value * left);
-  F(2, 4) = k;
-  F(4, 4) = std::exp(-dt / turn_rate_memory);
+  F.block<2, 1>(0, 2) = x[3] * dt * Vector2(-along.y(), along.x());
+  F.block<2, 1>(0, 3) = dt * along;
   return F;
 }
 
 HeadingCovariance walked_noise(const HeadingState& x, double dt, const HeadingNoise& noise) {
   const double a = noise.acceleration * noise.acceleration;
   const double h = noise.heading * noise.heading;
-  const double w = noise.turn_rate * noise.turn_rate;
   const double v = x[3];
   const double dt2 = dt * dt;
   const double dt3 = dt2 * dt;
-  // Along and across the path: integrated once, twice, thrice.
+  // Along and across the path: integrated once and twice.
   HeadingCovariance Q = HeadingCovariance::Zero();
   Q(0, 0) = a * dt3 / 3.0;
   Q(0, 3) = Q(3, 0) = a * dt2 / 2.0;
   Q(3, 3) = a * dt;
-  Q(1, 1) = v * v * (h * dt3 / 3.0 + w * dt3 * dt2 / 20.0);
-  Q(1, 2) = Q(2, 1) = v * (h * dt2 / 2.0 + w * dt2 * dt2 / 8.0);
-  Q(1, 4) = Q(4, 1) = v * w * dt3 / 6.0;
-  Q(2, 2) = h * dt + w * dt3 / 3.0;
-  Q(2, 4) = Q(4, 2) = w * dt2 / 2.0;
-  Q(4, 4) = w * dt;
+  Q(1, 1) = v * v * h * dt3 / 3.0;
+  Q(1, 2) = Q(2, 1) = v * h * dt2 / 2.0;
+  Q(2, 2) = h * dt;
   HeadingCovariance R = HeadingCovariance::Identity();
   R.col(0).head<2>() = direction(x[2]);
   R.col(1).head<2>() = Vector2(-R(1, 0), R(0, 0));
@@ -105,14 +72,14 @@ Eigen::Matrix4d covariance_without_heading(const HeadingState& x, const HeadingC
 
 HeadingState with_heading(const Eigen::Vector4d& m) {
   HeadingState x;
-  x << m.head<2>(), std::atan2(m[3], m[2]), m.tail<2>().norm(), 0.0;
+  x << m.head<2>(), std::atan2(m[3], m[2]), m.tail<2>().norm();
   return x;
 }
 
-Eigen::Matrix<double, 5, 4> with_heading_jacobian(const Eigen::Vector4d& m) {
+HeadingCovariance with_heading_jacobian(const Eigen::Vector4d& m) {
   const double speed = m.tail<2>().norm();
   const Vector2 along = m.tail<2>() / speed;
-  Eigen::Matrix<double, 5, 4> J = Eigen::Matrix<double, 5, 4>::Zero();
+  HeadingCovariance J = HeadingCovariance::Zero();
   J(0, 0) = J(1, 1) = 1.0;
   J.block<1, 2>(2, 2) = Vector2(-along.y(), along.x()).transpose() / speed;
   J.block<1, 2>(3, 2) = along.transpose();

@@ -24,7 +24,7 @@ struct PastState {
 struct PersonTrack {
   std::uint32_t id = 0;
   Walker walker;
-  std::optional<HeadingFilter> heading;  ///< what is reported in place of the walker, if anything
+  HeadingFilter heading;  ///< what is reported
   Time born;
   Time confirmed;
   Time last_seen;                         ///< by a laser

@@ -26,7 +26,7 @@ void follow_hidden(PersonTrack& person, const Surroundings& about, bool known, R
   const OcclusionMemory::Moments moments = person.hidden->moments();
   person.there = person.hidden->chance_near(moments.mean.head<2>());
   person.walker.place_middle(moments.mean, moments.covariance);
-  if (person.heading) person.heading.emplace(moments.mean, moments.covariance, options.heading);
+  person.heading = HeadingFilter(moments.mean, moments.covariance, options.heading);
 }
 
 std::optional<PersonTrack> take_who_stood(std::vector<PersonTrack>& people, std::vector<PersonTrack>& lost,

@@ -10,31 +10,18 @@ namespace {
 constexpr double kUnborn = 0.49;  // most confident that what is no person yet can be
 constexpr double kRest = 0.1;     // [m/s] how surely something that stands does not move
 
-struct Motion {
-  Vector2 position;
-  Vector2 velocity;
-  Eigen::Matrix4d covariance;
-};
-
-Motion motion_of(const PersonTrack& person) {
-  if (person.heading)
-    return {person.heading->position(), person.heading->velocity(), person.heading->true_covariance()};
-  return {person.walker.position(), person.walker.velocity(), person.walker.covariance()};
-}
-
 }  // namespace
 
 TrackedPerson report_of(const PersonTrack& person, const Pose2& X_OS, double radius) {
   Eigen::Matrix4d R = Eigen::Matrix4d::Zero();
   R.topLeftCorner<2, 2>() = R.bottomRightCorner<2, 2>() = Eigen::Rotation2Dd(X_OS.theta).toRotationMatrix();
-  const auto [position, velocity, covariance] = motion_of(person);
   const double seen = person.there * person.existence.confidence();
   return {{.id = person.id,
-           .position = X_OS * position,
-           .velocity = rotate(X_OS, velocity),
+           .position = X_OS * person.heading.position(),
+           .velocity = rotate(X_OS, person.heading.velocity()),
            .radius = radius,
            .confidence = 1.0 - (1.0 - seen) * (1.0 - person.heard)},
-          R * covariance * R.transpose(),
+          R * person.heading.true_covariance() * R.transpose(),
           person.born,
           person.confirmed,
           person.last_known()};

@@ -65,7 +65,7 @@ void Tracker::Impl::predict_to(Time time) {
   now_ = time;
   for (PersonTrack& person : people_) {
     person.walker.predict(dt, options_.walker);
-    if (person.heading) person.heading->predict(dt, options_.heading);
+    person.heading.predict(dt, options_.heading);
     if (person.heard > 0.0) person.heard *= std::exp(-dt / options_.hearing.kMemory);
   }
   for (ClusterTrack& cluster : clusters_) cluster.predict(dt);
@@ -151,13 +151,12 @@ void Tracker::Impl::correct_people() {
 
 /// Before the walker's correction: of one leg it tells how far that swings, as expected without this sweep.
 void Tracker::Impl::correct_heading(PersonTrack& person, const LegMatch& match) {
-  if (!person.heading) return;
   const auto detection = [&](int index) {
     return index < 0 ? nullptr : &detections_[static_cast<std::size_t>(index)];
   };
   const SeenLegs seen{detection(match.first), detection(match.second)};
   if (const auto middle = seen_middle(seen, person.walker, options_.heading))
-    person.heading->correct(*middle, options_.heading);
+    person.heading.correct(*middle, options_.heading);
 }
 
 Sighting Tracker::Impl::sighting_of(const Detection& d) const {
@@ -191,8 +190,7 @@ void Tracker::Impl::correct_clusters() {
 void Tracker::Impl::follow_legs(PersonTrack& person, const ClusterTrack& first,
                                 const ClusterTrack* second) const {
   person.walker = walker_of(first, second, options_.walker);
-  if (options_.motion == MotionFilter::heading)
-    person.heading = heading_of(first, second, person.walker, options_.heading);
+  person.heading = heading_of(first, second, person.walker, options_.heading);
   person.last_seen = *now_;
   person.empty_seconds = 0.0;
   person.unseen = {0, second == nullptr ? 1 : 0};

@@ -185,12 +185,6 @@ struct HiddenOptions {
   double newcomers = 0.0005;
 };
 
-/// Which filter of a person's motion is reported.
-enum class MotionFilter {
-  gait,     ///< both legs swing (walker)
-  heading,  ///< position, heading and speed of the point between the legs (heading)
-};
-
 struct TrackerOptions {
   /// [m] radius that is reported of everybody
   static constexpr double kPersonRadius = 0.3;
@@ -200,9 +194,6 @@ struct TrackerOptions {
   static constexpr int kMaxDetections = 1000;
   AlignmentOptions alignment;
   AssociationOptions association;
-  /// whose position, velocity and covariance are reported; legs are always assigned by the gait (set by code
-  /// alone)
-  MotionFilter motion = MotionFilter::heading;
   WalkerOptions walker;
   HeadingOptions heading;
   BirthOptions birth;
