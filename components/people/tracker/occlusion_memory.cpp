@@ -43,11 +43,22 @@ OcclusionMemory::OcclusionMemory(const Vector2& position, const Vector2& velocit
   }
 }
 
-void OcclusionMemory::walk(double dt, double looked, const DetectionSet& sweep, const SeenWalls& walls,
+bool OcclusionMemory::pass(double dt, double looked, const DetectionSet& sweep, const SeenWalls& walls,
                            Random& random, const HiddenOptions& options) {
+  waited_ += dt;
+  looked_ += looked;
+  if (waited_ < kEvery) return false;
+  walk(sweep, walls, random, options);
+  waited_ = looked_ = 0.0;
+  return true;
+}
+
+void OcclusionMemory::walk(const DetectionSet& sweep, const SeenWalls& walls, Random& random,
+                           const HiddenOptions& options) {
+  const double dt = waited_;
   const double wander = options.kWander * std::sqrt(dt);
   const double anew = 1.0 - std::exp(-dt / options.kKeepsCourse);
-  const double missed = std::exp(-looked / options.kOverlooked);
+  const double missed = std::exp(-looked_ / options.kOverlooked);
   double sum = 0.0;
   for (Guess& guess : guesses_) {
     const bool elsewhere = random.uniform() < anew;
@@ -113,7 +124,7 @@ double OcclusionMemory::density(const Vector2& position, std::optional<Vector2> 
   const double v = options.kVelocityKernel * options.kVelocityKernel;
   double sum = 0.0;
   for (const Guess& guess : guesses_) {
-    const double square = (position - guess.position + ago * guess.velocity).squaredNorm() / p +
+    const double square = (position - guess.position + (ago - waited_) * guess.velocity).squaredNorm() / p +
                           (velocity.value_or(guess.velocity) - guess.velocity).squaredNorm() / v;
     sum += guess.weight * std::exp(-square / 2.0);
   }

@@ -22,8 +22,12 @@ class OcclusionMemory {
   OcclusionMemory(const Vector2& position, const Vector2& velocity, Random& random,
                   const HiddenOptions& options);
 
-  /// `dt` >= 0 [s] later. The sweep looked for `looked` [s], since the one before of its sensor.
-  void walk(double dt, double looked, const DetectionSet& sweep, const SeenWalls& walls, Random& random,
+  /// They walk so often [s], with every second sweep of ten a second: less often, and then farther.
+  static constexpr double kEvery = 0.19;
+
+  /// `dt` >= 0 [s] later. The sweep looked for `looked` [s], since the one before of its sensor. Whether they
+  /// have walked; else they do so with one of the next sweeps.
+  bool pass(double dt, double looked, const DetectionSet& sweep, const SeenWalls& walls, Random& random,
             const HiddenOptions& options);
 
   /// How probably they are still somewhere about: it falls where positions are seen empty. 0 to 1.
@@ -50,10 +54,13 @@ class OcclusionMemory {
     Vector2 velocity;
     double weight;
   };
+  void walk(const DetectionSet& sweep, const SeenWalls& walls, Random& random, const HiddenOptions& options);
   void draw_anew(Random& random);
 
   std::vector<Guess> guesses_;
   double existence_ = 1.0;
+  double waited_ = 0.0;  ///< since they have walked [s]
+  double looked_ = 0.0;  ///< of it the laser looked for so long [s]
 };
 
 }  // namespace bw::people

@@ -1,28 +1,21 @@
 #include "components/people/tracker/reappearance.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace bw::people {
 
 void follow_hidden(PersonTrack& person, const Surroundings& about, bool known, Random& random,
                    const TrackerOptions& options) {
   const HiddenOptions& hidden = options.hidden;
-  person.there = 1.0;
   const double away = about.now - person.sure.time;
+  if (known || away <= hidden.kAbsent) person.there = 1.0;
   if (away <= hidden.kAbsent) {
     person.hidden.reset();
     return;
   }
-  if (person.hidden) {
-    person.hidden->walk(about.dt, about.since_own, about.sweep, about.walls, random, hidden);
-  } else {
-    person.hidden.emplace(person.sure.position, person.sure.velocity, random, hidden);
-    const int steps = static_cast<int>(std::ceil(away / std::max(about.dt, 0.01)));
-    for (int k = 0; k < steps; ++k)
-      person.hidden->walk(away / steps, 0.0, about.sweep, about.walls, random, hidden);
-  }
-  if (known) return;
+  const bool is_new = !person.hidden;
+  if (is_new) person.hidden.emplace(person.sure.position, person.sure.velocity, random, hidden);
+  const bool have_walked = person.hidden->pass(is_new ? away : about.dt, is_new ? 0.0 : about.since_own,
+                                               about.sweep, about.walls, random, hidden);
+  if (known || !have_walked) return;
   const OcclusionMemory::Moments moments = person.hidden->moments();
   person.there = person.hidden->chance_near(moments.mean.head<2>());
   person.walker.place_middle(moments.mean, moments.covariance);

@@ -259,7 +259,7 @@ void Tracker::Impl::follow_hidden_people(double dt, double since_own) {
   const Surroundings about{sweep_in_S_, walls_, seconds(), dt, since_own};
   for (PersonTrack& person : people_)
     follow_hidden(person, about, is_told_of(person) || !is_out_of_sight(person), random_, options_);
-  for (PersonTrack& person : lost_) follow_hidden(person, about, false, random_, options_);
+  for (PersonTrack& person : lost_) follow_hidden(person, about, true, random_, options_);
 }
 
 /// Whoever walked and is believed no longer, since what they seem to be stood there before them, has walked

@@ -83,7 +83,7 @@ TEST(OcclusionMemory, NotBeyondAWall) {
   Random random(3);
   OcclusionMemory where({3.0, 0.0}, {1.0, 0.0}, random, options);
   const auto before = where.moments();
-  for (int k = 0; k < 20; ++k) where.walk(0.1, 0.1, stage.set(), walls, random, options);
+  for (int k = 0; k < 20; ++k) where.pass(0.1, 0.1, stage.set(), walls, random, options);
   const double density_at_no_speed = std::pow(2.0 * std::numbers::pi * 0.25, -1.0);  // velocity unknown
   const Mass mass = mass_of(where, options);
   EXPECT_GE(mass.free, 0.9 * density_at_no_speed);
@@ -99,11 +99,11 @@ TEST(OcclusionMemory, FadesWhereNobodyIsSeen) {
   const SeenWalls walls;
   Random random(3);
   OcclusionMemory seen({3.0, 0.0}, {0.0, 0.0}, random, {});
-  for (int k = 0; k < 10; ++k) seen.walk(0.1, 0.1, stage.set(), walls, random, {});
+  for (int k = 0; k < 10; ++k) seen.pass(0.1, 0.1, stage.set(), walls, random, {});
   EXPECT_NEAR(seen.existence(), 0.048, 0.001);
   stage.hide({3.0, 0.0}, 2.0, 1.0);
   OcclusionMemory hidden({3.0, 0.0}, {0.0, 0.0}, random, {});
-  for (int k = 0; k < 10; ++k) hidden.walk(0.1, 0.1, stage.set(), walls, random, {});
+  for (int k = 0; k < 10; ++k) hidden.pass(0.1, 0.1, stage.set(), walls, random, {});
   EXPECT_NEAR(hidden.existence(), 1.0, 1e-9);
 }
 
@@ -116,7 +116,7 @@ TEST(OcclusionMemory, GathersInWhatIsHidden) {
   const SeenWalls walls;
   Random random(3);
   OcclusionMemory where({3.0, -0.9}, {0.0, 0.5}, random, {});
-  for (int k = 0; k < 40; ++k) where.walk(0.1, 0.1, stage.set(), walls, random, {});
+  for (int k = 0; k < 40; ++k) where.pass(0.1, 0.1, stage.set(), walls, random, {});
   EXPECT_LT(std::abs(where.moments().mean(1)), 1.0);
   EXPECT_GT(where.existence(), 0.2);
   EXPECT_LT(where.existence(), 0.95);
@@ -130,7 +130,7 @@ TEST(OcclusionMemory, TheSameSeedGuessesTheSame) {
     stage.begin(0.0);
     Random random(9);
     OcclusionMemory where({1.0, 2.0}, {0.3, 0.4}, random, {});
-    for (int k = 0; k < 10; ++k) where.walk(0.1, 0.1, stage.set(), SeenWalls(), random, {});
+    for (int k = 0; k < 10; ++k) where.pass(0.1, 0.1, stage.set(), SeenWalls(), random, {});
     return where.moments().mean;
   };
   EXPECT_EQ(mean(), mean());
