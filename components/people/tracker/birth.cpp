@@ -8,7 +8,6 @@
 namespace bw::people {
 namespace {
 
-constexpr double kRounding = 1e-6;      // [s]
 constexpr double kStandingDoubt = 0.2;  // [m] who walks comes first
 constexpr double kPairsFirst = 100.0;   // [m] doubt of a single beyond that of any pair
 
@@ -25,7 +24,7 @@ std::optional<Birth> birth_of_standing_pair(const ClusterTrack& a, const Cluster
                                             const BirthOptions& options) {
   if ((a.last().position - b.last().position).norm() > options.kStandingSeparation) return std::nullopt;
   const CommonSightings common(a, b);
-  if (common.count < options.sightings) return std::nullopt;
+  if (common.count == 0) return std::nullopt;
   const double stood = common.time(0) - common.time(common.count - 1);
   const bool a_is_weaker = leg_share(a) < leg_share(b);
   const ClusterTrack& weaker = a_is_weaker ? a : b;

@@ -18,11 +18,12 @@ ClusterTrack::ClusterTrack(const Sighting& first)
 void ClusterTrack::remember(const Sighting& seen) {
   const auto slot = [](double time) { return std::floor(time / kSpacing + kSlotRounding); };
   const std::int64_t nth = count_ == 0 ? 1 : last().nth + 1;
+  existence.appearance.add(seen.likeness(), seen.bearing,
+                           count_ == 0 ? Appearance::kEach : seen.time - last().time);
   if (count_ == 0 || slot(seen.time) != slot(last().time)) ++count_;
   Sighting& kept = ring_[(count_ - 1) % kRemembered];
   kept = seen;
   kept.nth = nth;
-  existence.appearance.add(seen.likeness(), seen.bearing);
 }
 
 void ClusterTrack::predict(double dt) {

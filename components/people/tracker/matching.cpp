@@ -21,7 +21,7 @@ struct Spread {
 }  // namespace
 
 void Matching::match(const std::vector<Detection>& detections, const std::vector<PersonTrack>& people,
-                     const std::vector<ClusterTrack>& clusters, std::int64_t sweep,
+                     const std::vector<ClusterTrack>& clusters, double now,
                      const AssociationOptions& options) {
   likeness_.clear();
   for (const Detection& d : detections)
@@ -47,8 +47,8 @@ void Matching::match(const std::vector<Detection>& detections, const std::vector
                                     : options.kPeopleFirst));
     }
   };
-  const auto reach_after = [&](int missed) {
-    return std::min(options.kReach, options.kStep + options.kPace * missed);
+  const auto reach_after = [&](double seconds) {
+    return std::min(options.kReach, options.kStep + options.kPace * seconds);
   };
   for (const PersonTrack& person : people) {
     for (const auto& [leg, unseen] : {std::pair{BodyPart::first_leg, person.unseen[0]},
@@ -57,7 +57,7 @@ void Matching::match(const std::vector<Detection>& detections, const std::vector
   }
   for (const ClusterTrack& cluster : clusters)
     offer(cluster.position(), cluster.variance() * Eigen::Matrix2d::Identity(),
-          reach_after(static_cast<int>(sweep - cluster.last().sweep) - 1), false);
+          reach_after(now - cluster.last().time), false);
 
   const std::vector<int>& chosen = assignment_.solve();
   taken_.assign(detections.size(), 0);

@@ -4,7 +4,7 @@
 //                                  + people_first, for others)
 //
 // d: distance in standard deviations, S: spread of the prediction plus noise plus `slack`, S_0: the same of a
-// prediction without error. Beyond the gate, and beyond min(reach, step + pace * sweeps missed), nothing is
+// prediction without error. Beyond the gate, and beyond min(reach, step + pace * seconds since it was seen), nothing is
 // possible; leaving something unseen costs the gate.
 #pragma once
 
@@ -26,8 +26,7 @@ struct LegMatch {
 class Matching {
  public:
   void match(const std::vector<Detection>& detections, const std::vector<PersonTrack>& people,
-             const std::vector<ClusterTrack>& clusters, std::int64_t sweep,
-             const AssociationOptions& options);
+             const std::vector<ClusterTrack>& clusters, double now, const AssociationOptions& options);
 
   const LegMatch& of_person(std::size_t i) const { return people_[i]; }
   int of_cluster(std::size_t i) const { return clusters_[i]; }

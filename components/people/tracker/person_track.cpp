@@ -3,14 +3,14 @@
 namespace bw::people {
 namespace {
 
-constexpr double kStep = 0.45;      // [m] no leg does more from one sweep to the next
-constexpr std::int64_t kPause = 3;  // sweeps after which it may be anywhere
+constexpr double kStep = 0.45;   // [m] no leg does more from one sweep to the next
+constexpr double kPause = 0.35;  // [s] after which it may be anywhere
 
 }  // namespace
 
 void PersonTrack::remember_leg(std::size_t leg, const Sighting& seen) {
   std::optional<ClusterTrack>& track = legs[leg];
-  const bool same = track && track->last().sweep + kPause >= seen.sweep &&
+  const bool same = track && seen.time - track->last().time <= kPause &&
                     (track->last().position - seen.position).norm() < kStep;
   if (same) {
     track->correct(seen);

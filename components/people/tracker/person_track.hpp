@@ -42,7 +42,7 @@ struct PersonTrack {
   double heard = 0.0;          ///< how sure other detectors are that they are there, 0 to 1
   Time last_heard;             ///< when one of them told of this person last, if `heard` is not 0
   // Of each leg:
-  std::array<int, 2> unseen{};                      ///< sweeps since it was seen, or the whole
+  std::array<double, 2> unseen{};                   ///< since it was seen, or the whole [s]
   std::array<std::optional<ClusterTrack>, 2> legs;  ///< what was seen of it lately
 
   /// `leg` 0 or 1. What is too far from where the leg was, or too late, is the first sight of another.

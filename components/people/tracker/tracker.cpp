@@ -66,6 +66,7 @@ void Tracker::Impl::predict_to(Time time) {
   for (PersonTrack& person : people_) {
     person.walker.predict(dt, options_.walker);
     person.heading.predict(dt, options_.heading);
+    for (double& unseen : person.unseen) unseen += dt;
     if (person.heard > 0.0) person.heard *= std::exp(-dt / options_.hearing.kMemory);
   }
   for (ClusterTrack& cluster : clusters_) cluster.predict(dt);
@@ -80,7 +81,7 @@ const std::vector<TrackedPerson>& Tracker::Impl::update(const DetectionSet& swee
   predict_to(sweep.time);
   transform_to_S(sweep);
   select_detections(sweep_in_S_, options_.kMaxDetections, options_.association, detections_);
-  matching_.match(detections_, people_, clusters_, sweep_, options_.association);
+  matching_.match(detections_, people_, clusters_, seconds(), options_.association);
   correct_clusters();
   correct_people();
   reassociate_legs();
@@ -113,7 +114,6 @@ void Tracker::Impl::transform_to_S(const DetectionSet& sweep) {
 }
 
 void Tracker::Impl::correct_person(PersonTrack& person, const LegMatch& match) {
-  for (int& unseen : person.unseen) ++unseen;
   const bool one = (match.first < 0) != (match.second < 0);
   for (const auto& [part, index] :
        {std::pair{BodyPart::first_leg, match.first}, std::pair{BodyPart::second_leg, match.second}}) {
@@ -125,17 +125,17 @@ void Tracker::Impl::correct_person(PersonTrack& person, const LegMatch& match) {
         options_.death.kScoreMemory * person.score + (1.0 - options_.death.kScoreMemory) * d.human_score();
     const Sighting seen = sighting_of(d);
     if (person.existence.prior == Existence::kUnseen) person.existence.prior = Existence::kOneLeg;
-    person.existence.appearance.add(seen.likeness(), seen.bearing);
     if (person.last_seen != *now_) person.since_seen = (*now_ - person.last_seen).to_seconds();
+    person.existence.appearance.add(seen.likeness(), seen.bearing, person.since_seen);
     person.last_seen = *now_;
     person.empty_seconds = 0.0;
     if (d.human_score() >= options_.hidden.kLikeness) person.sure = state_of(person);
     if (!d.on_static) person.free = state_of(person);
     const std::size_t leg = part == BodyPart::first_leg ? 0 : 1;
     if (whole) {
-      person.unseen = {0, 0};
+      person.unseen = {};
     } else {
-      person.unseen[leg] = 0;
+      person.unseen[leg] = 0.0;
       person.remember_leg(leg, seen);
     }
   }
@@ -193,7 +193,7 @@ void Tracker::Impl::follow_legs(PersonTrack& person, const ClusterTrack& first,
   person.heading = heading_of(first, second, person.walker, options_.heading);
   person.last_seen = *now_;
   person.empty_seconds = 0.0;
-  person.unseen = {0, second == nullptr ? 1 : 0};
+  person.unseen = {};
   person.legs = {first, second == nullptr ? std::nullopt : std::optional(*second)};
   for (auto& leg : person.legs)
     if (leg) leg->id = 0;

@@ -18,10 +18,10 @@ struct AssociationOptions {
   double gate = 9.21;
   /// [m] nor is one further than this in metres: the radius of theory.md 7.2
   static constexpr double kReach = 1.2;
-  /// [m] longest step of a leg that was seen in the last sweep
-  static constexpr double kStep = 0.5;
-  /// [m] by this much longer for each sweep that missed the leg
-  static constexpr double kPace = 0.2;
+  /// [m] what was just seen is no further than this from where it is expected
+  static constexpr double kStep = 0.3;
+  /// [m/s] and by so much farther for each second since
+  static constexpr double kPace = 2.0;
   /// [m] added to the spread of every prediction while detections are assigned, for people turn and stop
   static constexpr double kSlack = 0.12;
   /// weight of -ln(score) in the cost of giving a detection to a leg
@@ -38,9 +38,7 @@ struct AssociationOptions {
 };
 
 struct BirthOptions {
-  int sightings = 3;
-  /// [s] the last so many sightings are no longer ago than this
-  static constexpr double kWithin = 0.45;
+  double seen = 0.2;
   /// [m] way that the middle of the pair must have walked
   static constexpr double kTravel = 0.2;
   /// [m] widest distance from leg to leg while walking
@@ -88,8 +86,12 @@ struct BirthOptions {
 
   template <class Visitor>
   void fields(Visitor& v) {
-    v("sightings", sightings,
-      {.min = 2, .max = 12, .doc = "a pair that walks is a person after this many sightings of both legs"});
+    v("seen", seen,
+      {.unit = "s",
+       .min = 0.05,
+       .max = 1.0,
+       .doc = "a pair that walks is a person once both legs have been seen for so long"});
+    v.retired({"sightings"}, "birth.seen: a time, not a number of sweeps");
     v.retired({"misfit", "travel", "standing_score"}, "a constant of tracker_options.hpp");
   }
 };

@@ -30,8 +30,8 @@ std::optional<Walk> walk_of_pair(const ClusterTrack& a, const ClusterTrack& b, c
   if ((a.last().position - b.last().position).norm() > options.kSeparation) return std::nullopt;
   CommonSightings common(a, b);
   common.forget_before(common.time(0) - options.kLookBack);
-  if (common.count < options.sightings) return std::nullopt;
-  if (common.time(0) - common.time(options.sightings - 1) > options.kWithin) return std::nullopt;
+  if (common.count == 0 || common.time(0) - common.time(common.count - 1) < options.seen - kRounding)
+    return std::nullopt;
   const auto leg_score = [](const Sighting& s) { return s.leg_score; };
   const double score = std::min(mean_of(a, sightings_within(a, options.kLookBack), leg_score),
                                 mean_of(b, sightings_within(b, options.kLookBack), leg_score));
@@ -58,7 +58,7 @@ std::optional<Walk> walk_of_single(const ClusterTrack& cluster, const BirthOptio
   const Sighting& now = cluster.last();
   const Sighting& oldest = cluster.sighting(n - 1);
   const double seconds = now.time - oldest.time;
-  if (n < options.sightings || seconds < options.kSingleTime) return std::nullopt;
+  if (seconds < options.kSingleTime) return std::nullopt;
   const double distance = (now.position - oldest.position).norm();
   if (distance < options.kSingleTravel) return std::nullopt;
   const double on_static = mean_of(cluster, n, [](const Sighting& s) { return s.on_static ? 1.0 : 0.0; });

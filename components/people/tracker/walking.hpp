@@ -10,6 +10,8 @@
 
 namespace bw::people {
 
+inline constexpr double kRounding = 1e-6;  ///< [s] by which times that are compared err
+
 /// The distance of a walker in what is remembered of their legs.
 struct Walk {
   double distance = 0.0;  ///< [m]

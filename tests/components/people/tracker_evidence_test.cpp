@@ -34,6 +34,16 @@ TEST(Evidence, LooksOfOneSideAreAveraged) {
   EXPECT_NEAR(appearance.log_odds(), 0.0, 1e-4);
 }
 
+// The same leg for 0.2 s at any rate: 3 ln 9 / 5 after the first sighting and two tenths of a second.
+TEST(Evidence, LooksCountSecondsNotSweeps) {
+  for (const int rate : {5, 10, 20, 40}) {
+    Appearance appearance;
+    appearance.add(0.9, 0.1);
+    for (int k = 0; k < rate / 5; ++k) appearance.add(0.9, 0.1, 1.0 / rate);
+    EXPECT_NEAR(appearance.log_odds(), 3.0 * std::log(9.0) / 5.0, 1e-5) << rate;
+  }
+}
+
 // Three sightings from one side and three from across: the second half counts half. 3 ln 9 / 5 = 1.318.
 TEST(Evidence, AnotherSideTellsMore) {
   Appearance same;
@@ -203,7 +213,7 @@ TEST(Evidence, WhatStoodBeforeIsNotWhoWalkedUpToIt) {
     Tracker tracker({});
     walk(stage, tracker, 0, 20);
     ASSERT_EQ(tracker.people().size(), 1U);
-    for (int k = 20; k < 60; ++k) {
+    for (int k = 20; k < 50; ++k) {
       stage.begin(0.1 * k);
       stage.walker(0.0, 0.0, 0.0);
       for (Detection& leg : stage.set().detections) leg.on_static = stood_before;

@@ -8,21 +8,23 @@ namespace bw::people {
 namespace {
 
 constexpr double kSurest = 0.95;      // no score says more than this
-constexpr float kDoubt = 2.0F;        // sightings from a side that say nothing yet
-constexpr float kRemembered = 20.0F;  // so many sightings from a side are remembered
+constexpr double kMost = 2.0;         // one stands for no more than so many of these times
+constexpr float kDoubt = 2.0F;        // so many of a side say nothing yet
+constexpr float kRemembered = 20.0F;  // so many of a side are remembered
 constexpr double kOtherSides = 0.5;   // what a side adds to the one that says most, as a share
 
 }  // namespace
 
-void Appearance::add(double score, double bearing) {
+void Appearance::add(double score, double bearing, double since) {
   const double p = std::clamp(score, 1.0 - kSurest, kSurest);
   const double revolutions = bearing / (2.0 * std::numbers::pi);
   const auto at =
       static_cast<std::size_t>((revolutions - std::floor(revolutions)) * static_cast<double>(kSides));
   Side& side = sides_[std::min(at, kSides - 1)];
-  const float keep = std::min(1.0F, (kRemembered - 1.0F) / std::max(1.0F, side.weight));
-  side.sum = keep * side.sum + static_cast<float>(std::log(p / (1.0 - p)));
-  side.weight = keep * side.weight + 1.0F;
+  const auto weight = static_cast<float>(std::min(since / kEach, kMost));
+  const float keep = std::min(1.0F, (kRemembered - weight) / std::max(1.0F, side.weight));
+  side.sum = keep * side.sum + weight * static_cast<float>(std::log(p / (1.0 - p)));
+  side.weight = keep * side.weight + weight;
 }
 
 double Appearance::log_odds() const {

@@ -11,8 +11,11 @@ class Appearance {
  public:
   static constexpr double kMax = 3.0;  ///< log odds, either way
 
-  /// A score, 0 to 1, as seen by somebody who looks along `bearing` [rad].
-  void add(double score, double bearing);
+  static constexpr double kEach = 0.1;  ///< [s] for which a sighting stands
+
+  /// A score, 0 to 1, as seen by somebody who looks along `bearing` [rad], `since` [s] the one before: what is
+  /// seen more often says no more in a second.
+  void add(double score, double bearing, double since = kEach);
 
   /// Log odds of a person: sum over sides of the mean log odds of the scores, within +-kMax.
   double log_odds() const;
