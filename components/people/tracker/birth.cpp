@@ -8,41 +8,27 @@
 namespace bw::people {
 namespace {
 
-constexpr double kStandingDoubt = 0.2;  // [m] who walks comes first
-constexpr double kPairsFirst = 100.0;   // [m] doubt of a single beyond that of any pair
-
-double share_of(const ClusterTrack& cluster, bool Sighting::*what) {
-  return mean_of(cluster, cluster.remembered(), [&](const Sighting& s) { return s.*what ? 1.0 : 0.0; });
+double share_on_static(const ClusterTrack& cluster) {
+  return mean_of(cluster, cluster.remembered(), [](const Sighting& s) { return s.on_static ? 1.0 : 0.0; });
 }
 
 double leg_share(const ClusterTrack& cluster) {
   return mean_of(cluster, cluster.remembered(), [](const Sighting& s) { return s.leg_score; });
 }
 
-/// Two that stand about as the legs of somebody do: the kind of pair and its doubt.
+/// Two that stand about as the legs of somebody do.
 std::optional<Birth> birth_of_standing_pair(const ClusterTrack& a, const ClusterTrack& b,
                                             const BirthOptions& options) {
   if ((a.last().position - b.last().position).norm() > options.kStandingSeparation) return std::nullopt;
   const CommonSightings common(a, b);
   if (common.count == 0) return std::nullopt;
   const double stood = common.time(0) - common.time(common.count - 1);
-  const bool a_is_weaker = leg_share(a) < leg_share(b);
-  const ClusterTrack& weaker = a_is_weaker ? a : b;
-  const ClusterTrack& stronger = a_is_weaker ? b : a;
-  const bool half_hidden =
-      leg_share(weaker) < options.kStandingScore && leg_share(weaker) >= options.kHalfHiddenScore &&
-      stood >= options.kHalfHiddenTime - kRounding && share_of(weaker, &Sighting::occluded) >= 0.5;
-  const double score = leg_share(half_hidden ? stronger : weaker);
-  const Gait gait = gait_of(common, common.count);
-  if (stood < options.kStandingTime - kRounding || score < options.kStandingScore ||
-      gait.misfit > options.kMisfit || gait.widest > options.kStandingSeparation)
-    return std::nullopt;
-  const bool on_background =
-      std::max(share_of(a, &Sighting::on_static), share_of(b, &Sighting::on_static)) >= 0.5;
+  const double score = std::min(leg_share(a), leg_share(b));
+  if (stood < options.kStandingTime - kRounding || score < options.kStandingScore) return std::nullopt;
+  const bool on_background = std::max(share_on_static(a), share_on_static(b)) >= 0.5;
   if (on_background && (score < options.kBackgroundScore || stood < options.kBackgroundTime - kRounding))
     return std::nullopt;
-  return Birth{half_hidden ? BirthKind::half_hidden_pair : BirthKind::standing_pair,
-               gait.doubt() - 0.5 * score + kStandingDoubt, 0.0};
+  return Birth{BirthKind::standing_pair, gait_of(common, common.count).doubt() - 0.5 * score, 0.0};
 }
 
 }  // namespace
@@ -65,7 +51,7 @@ std::optional<Birth> birth_of_single(const ClusterTrack& cluster, const BirthOpt
   if (const auto walk = walk_of_single(cluster, options))
     return Birth{BirthKind::walking_single, 1.0 - score, walk->distance};
   if (cluster.id != 0 && cluster.existence.log_odds() >= 0.0)
-    return Birth{BirthKind::standing_single, 1.0 - score + kStandingDoubt, 0.0};
+    return Birth{BirthKind::standing_single, 1.0 - score, 0.0};
   return std::nullopt;
 }
 
@@ -80,10 +66,8 @@ void find_people(const std::vector<ClusterTrack>& clusters, std::int64_t sweep, 
       if (const auto birth = birth_of_pair(clusters[i], clusters[j], options))
         found.push_back({static_cast<int>(i), static_cast<int>(j), *birth});
     }
-    if (const auto birth = birth_of_single(clusters[i], options)) {
+    if (const auto birth = birth_of_single(clusters[i], options))
       found.push_back({static_cast<int>(i), -1, *birth});
-      found.back().birth.doubt += kPairsFirst;
-    }
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const Candidate& a, const Candidate& b) { return a.birth.doubt < b.birth.doubt; });

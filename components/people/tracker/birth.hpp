@@ -10,13 +10,7 @@
 
 namespace bw::people {
 
-enum class BirthKind {
-  walking_pair,
-  walking_single,
-  standing_pair,
-  half_hidden_pair,  ///< stands, one leg behind the edge of something: the other one, mostly
-  standing_single
-};
+enum class BirthKind { walking_pair, walking_single, standing_pair, standing_single };
 
 struct Birth {
   BirthKind kind = BirthKind::walking_pair;
@@ -39,7 +33,7 @@ std::optional<Birth> birth_of_pair(const ClusterTrack& a, const ClusterTrack& b,
 /// The same of one cluster alone.
 std::optional<Birth> birth_of_single(const ClusterTrack& cluster, const BirthOptions& options);
 
-/// Everybody among the clusters seen in sweep number `sweep`; no cluster twice. Pairs come before singles.
+/// Everybody among the clusters seen in sweep number `sweep`; no cluster twice, the least doubtful first.
 void find_people(const std::vector<ClusterTrack>& clusters, std::int64_t sweep, const BirthOptions& options,
                  std::vector<Candidate>& found);
 

@@ -313,7 +313,6 @@ void Tracker::Impl::initiate_tracks() {
     const ClusterTrack& first = clusters_[static_cast<std::size_t>(candidate.first)];
     const ClusterTrack* second =
         candidate.second < 0 ? nullptr : &clusters_[static_cast<std::size_t>(candidate.second)];
-    if (candidate.birth.kind == BirthKind::half_hidden_pair && !weighing_.is_among_people()) continue;
     used.push_back(candidate.first);
     if (second != nullptr) used.push_back(candidate.second);
     const Sighting& oldest = first.sighting(first.remembered() - 1);
@@ -325,10 +324,7 @@ void Tracker::Impl::initiate_tracks() {
       person = take_returned(people_, lost_, oldest, walker.velocity(), seconds(), options_.hidden);
     Existence existence = existence_of(candidate.birth, first, second);
     if (person) {
-      if (was_here) existence = existence_of_same(person->existence, existence);
       if (!was_here) person->foot_shifts = {};
-      if (!was_here && !person->strayed)
-        existence = existence_of_returned(person->existence, existence, candidate.birth);
     } else {
       person = PersonTrack{.id = id_of(first, second),
                            .walker = walker,

@@ -86,8 +86,7 @@ bool Tracker::Impl::follow_legs_near(PersonTrack& person) {
   if (legs.second >= 0) second = clusters_[static_cast<std::size_t>(legs.second)];
   follow_legs(person, first, second ? &*second : nullptr);
   const Birth birth{.kind = second ? BirthKind::standing_pair : BirthKind::standing_single};
-  person.existence =
-      existence_of_returned(person.existence, existence_of(birth, first, second ? &*second : nullptr), birth);
+  person.existence = existence_of(birth, first, second ? &*second : nullptr);
   person.score = first.last().human_score();
   std::vector<int> used{legs.first};
   if (second) used.push_back(legs.second);

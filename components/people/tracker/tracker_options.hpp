@@ -53,12 +53,6 @@ struct BirthOptions {
   static constexpr double kStandingSeparation = 0.42;
   /// least leg score of each leg of a pair that stands
   static constexpr double kStandingScore = 0.7;
-  /// score of a leg that stands behind the edge of something, half of the time or more; the other one has
-  /// kStandingScore.
-  /// Such a pair is one where people walk about and little else looks like a leg,
-  static constexpr double kHalfHiddenScore = 0.4;
-  /// and is seen for so long [s]
-  static constexpr double kHalfHiddenTime = 0.9;
   /// score of each leg of a pair that stands where something has long stood
   static constexpr double kBackgroundScore = 0.8;
   /// [s] for which each leg of such a pair is seen

@@ -25,7 +25,6 @@ constexpr double kAlike = 0.05;  // [m] and by how much the two differ at most: 
 constexpr double kLookUpEvery = 1.0;       // [s] what was at a position before is looked up so often,
 constexpr double kLookedUpWithin = 0.1;    // [m] or when a thing has moved so far
 constexpr double kTaken = -14.0;           // log odds of legs that stand where something stood before
-constexpr double kOfDistanceLost = 0.6;    // [m] of the distance walked by somebody lost
 constexpr double kClutterGain = 0.3;       // [s] in which things that come into view are noticed
 constexpr double kClutterMemory = 10.0;    // [s] in which things out of view are forgotten
 constexpr double kFurnitureMemory = 60.0;  // [s] in which a place is no longer taken for a furnished one
@@ -61,7 +60,6 @@ double prior_of(BirthKind kind) {
     case BirthKind::walking_single:
       return Existence::kLoneWalker;
     case BirthKind::standing_pair:
-    case BirthKind::half_hidden_pair:
       return Existence::kTwoLegs;
     case BirthKind::standing_single:
       break;
@@ -94,26 +92,6 @@ Existence existence_of(const Birth& birth, const ClusterTrack& first, const Clus
     existence.row = std::min(existence.row, second->existence.row);
     existence.came = Existence::kCame * share_that_came(first.past, &second->past);
   }
-  const bool was_there =
-      first.past == Past::occupied && (second == nullptr || second->past == Past::occupied);
-  if (was_there && !birth.stands()) existence.came = Existence::kWasThere;
-  return existence;
-}
-
-Existence existence_of_returned(const Existence& lost, const Existence& born, const Birth& birth) {
-  Existence existence = born;
-  const double distance =
-      birth.stands() ? std::min(lost.walked.distance, kOfDistanceLost) : lost.walked.distance;
-  existence.walked.distance = std::max(born.walked.distance, distance);
-  return existence;
-}
-
-Existence existence_of_same(const Existence& lost, const Existence& born) {
-  Existence existence = born;
-  existence.walked.distance = std::max(born.walked.distance, lost.walked.distance);
-  existence.foot_shifts = std::max(born.foot_shifts, lost.foot_shifts);
-  existence.came = std::max(born.came, lost.came);
-  existence.kept = lost.kept;
   return existence;
 }
 
@@ -170,8 +148,6 @@ double Weighing::furnished_beyond(double things) const {
   return std::clamp((furniture_ - things) / kFurnished, 0.0, 1.0);
 }
 
-bool Weighing::is_among_people() const { return company_ >= kSomebody && furniture_ <= kLegsOfSomebody; }
-
 /// Who stands where somebody walks and nothing else looks like a leg is not taken for furniture for long.
 double Weighing::alone_of(double stood) const {
   const bool undecided = stood < kSettled || company_ < kSomebody;
@@ -220,9 +196,8 @@ void Weighing::weigh_coming(PersonTrack& person, std::int64_t sweep, double now)
   if (seen[0] == nullptr) return;
   Existence& existence = person.existence;
   existence.in_place = *seen[0] == Past::occupied && (seen[1] == nullptr || *seen[1] == Past::occupied);
-  const double share = share_that_came(*seen[0], seen[1]);
-  if (share == 0.0 && existence.came < 0.0 && existence.walked.distance < Walked::kFree) return;
-  existence.came = Existence::kCame * share * (1.0 - existence.taken / kTaken);  // background says otherwise
+  existence.came = Existence::kCame * share_that_came(*seen[0], seen[1]) *
+                   (1.0 - existence.taken / kTaken);  // background says otherwise
 }
 
 void Weighing::weigh_rigidity(PersonTrack& person, std::int64_t sweep, double dt) {

@@ -16,13 +16,6 @@ namespace bw::people {
 /// The evidence for somebody just born of these clusters; `second` may be null.
 Existence existence_of(const Birth& birth, const ClusterTrack& first, const ClusterTrack* second);
 
-/// The evidence for somebody lost who is taken to be back as somebody born: that they have walked counts less
-/// where somebody only stands.
-Existence existence_of_returned(const Existence& lost, const Existence& born, const Birth& birth);
-
-/// The same of somebody lost who stood at the very position: they are believed as before.
-Existence existence_of_same(const Existence& lost, const Existence& born);
-
 /// Whether something that stands may be the leg of somebody, or both in one, and should be told of.
 bool may_be_somebody(const ClusterTrack& cluster);
 
@@ -40,9 +33,6 @@ class Weighing {
   /// A sweep in S, to be remembered.
   void remember(const DetectionSet& sweep, double now) { past_.add(sweep, now); }
   void reset();
-
-  /// Whether people walk about, and little stands about that looks like a leg.
-  bool is_among_people() const;
 
   /// What is about says of somebody: other things that look like legs, and how few people are known. `stood`:
   /// of stood().

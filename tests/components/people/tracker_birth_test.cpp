@@ -77,7 +77,7 @@ TEST(Birth, WhatDoesNotWalkLikeALegIsNobody) {
 }
 
 // Legs 0.2 m apart that do not move: 0.3 s that score 0.7 in the open, 0.7 s that score 0.8 where something
-// has long stood. Their doubt is 0.2 - 0.5 * score + 0.2.
+// has long stood. Their doubt is 0.2 - 0.5 * score.
 TEST(Birth, LegsOnBackgroundMustLookMoreLikeLegs) {
   const auto doubt = [](int count, double score, bool on_static) {
     const auto leg = [&](double y) {
@@ -97,29 +97,7 @@ TEST(Birth, LegsOnBackgroundMustLookMoreLikeLegs) {
   EXPECT_FALSE(doubt(7, 0.81, true));
   EXPECT_FALSE(doubt(8, 0.79, true));
   ASSERT_TRUE(doubt(8, 0.81, true));
-  EXPECT_NEAR(*doubt(8, 0.81, true), 0.4 - 0.5 * 0.81, 1e-12);
-}
-
-// One leg scores 0.95, the other stands behind its edge and scores 0.5, where 0.7 are asked of whole ones: a
-// pair after 0.9 s, if it scores 0.4 or more and is cut off in half of the sweeps.
-TEST(Birth, OneLegBehindTheOtherIsHalfAPair) {
-  const auto kind = [](int sweeps, double whole, double cut, int cut_in) {
-    std::vector<Sighting> front;
-    std::vector<Sighting> behind;
-    for (int k = 0; k < sweeps; ++k) {
-      front.push_back(sighting(k, {2.0, 0.0}, whole));
-      behind.push_back(sighting(k, {2.2, 0.12}, cut));
-      behind.back().occluded = k < cut_in;
-    }
-    const auto birth = birth_of_pair(track_of(behind), track_of(front), {});
-    return birth ? std::optional(birth->kind) : std::nullopt;
-  };
-  EXPECT_EQ(kind(10, 0.95, 0.5, 5), BirthKind::half_hidden_pair);
-  EXPECT_EQ(kind(9, 0.95, 0.5, 9), std::nullopt);
-  EXPECT_EQ(kind(10, 0.69, 0.5, 10), std::nullopt);
-  EXPECT_EQ(kind(10, 0.95, 0.39, 10), std::nullopt);
-  EXPECT_EQ(kind(10, 0.95, 0.5, 4), std::nullopt);
-  EXPECT_EQ(kind(10, 0.95, 0.71, 10), BirthKind::standing_pair);
+  EXPECT_NEAR(*doubt(8, 0.81, true), 0.2 - 0.5 * 0.81, 1e-12);
 }
 
 // Two legs side by side, seen five times: they stay, unless both of them go and their middle goes 0.1 m,

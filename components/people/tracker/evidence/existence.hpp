@@ -48,8 +48,6 @@ struct Existence {
   static constexpr double kThingCame = 2.7;
   /// Log odds of having come from which on somebody is known to.
   static constexpr double kHasCome = 3.0;
-  /// Of somebody first noticed walking where something stood before, until they have walked a metre.
-  static constexpr double kWasThere = -4.0;
   /// Of two that stand and never move, for each second in view [1/s], and at most.
   static constexpr double kRigid = -0.1;
   static constexpr double kMaxRigid = -2.0;
