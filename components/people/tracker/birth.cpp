@@ -21,7 +21,7 @@ std::optional<Birth> birth_of_standing_pair(const ClusterTrack& a, const Cluster
                                             const BirthOptions& options) {
   if ((a.last().position - b.last().position).norm() > options.kStandingSeparation) return std::nullopt;
   const CommonSightings common(a, b);
-  if (common.count == 0) return std::nullopt;
+  if (common.count < options.kFewest) return std::nullopt;
   const double stood = common.time(0) - common.time(common.count - 1);
   const double score = std::min(leg_share(a), leg_share(b));
   if (stood < options.kStandingTime - kRounding || score < options.kStandingScore) return std::nullopt;

@@ -39,6 +39,10 @@ struct AssociationOptions {
 
 struct BirthOptions {
   double seen = 0.2;
+  /// sightings of both legs that say whether they go straight: two always do
+  static constexpr int kFewest = 3;
+  /// [s] the last so many are no longer ago than this
+  static constexpr double kWithin = 0.45;
   /// [m] way that the middle of the pair must have walked
   static constexpr double kTravel = 0.2;
   /// [m] widest distance from leg to leg while walking

@@ -30,7 +30,8 @@ std::optional<Walk> walk_of_pair(const ClusterTrack& a, const ClusterTrack& b, c
   if ((a.last().position - b.last().position).norm() > options.kSeparation) return std::nullopt;
   CommonSightings common(a, b);
   common.forget_before(common.time(0) - options.kLookBack);
-  if (common.count == 0 || common.time(0) - common.time(common.count - 1) < options.seen - kRounding)
+  if (common.count < options.kFewest || common.time(0) - common.time(options.kFewest - 1) > options.kWithin ||
+      common.time(0) - common.time(common.count - 1) < options.seen - kRounding)
     return std::nullopt;
   const auto leg_score = [](const Sighting& s) { return s.leg_score; };
   const double score = std::min(mean_of(a, sightings_within(a, options.kLookBack), leg_score),
