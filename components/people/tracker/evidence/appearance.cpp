@@ -8,7 +8,7 @@ namespace bw::people {
 namespace {
 
 constexpr double kSurest = 0.95;      // no score says more than this
-constexpr double kLongest = 2.0;      // one stands for no more than so many of these times
+constexpr double kLongestEach = 2.0;  // one stands for no more than so many of these times
 constexpr float kDoubt = 2.0F;        // so many of a side say nothing yet
 constexpr float kRemembered = 20.0F;  // so many of a side are remembered
 constexpr double kOtherSides = 0.5;   // what a side adds to the one that says most, as a share
@@ -21,7 +21,7 @@ void Appearance::add(double score, double bearing, double since) {
   const auto at =
       static_cast<std::size_t>((revolutions - std::floor(revolutions)) * static_cast<double>(kSides));
   Side& side = sides_[std::min(at, kSides - 1)];
-  const auto weight = static_cast<float>(std::min(since / kEach, kLongest));
+  const auto weight = static_cast<float>(std::min(since / kEach, kLongestEach));
   const float keep = std::min(1.0F, (kRemembered - weight) / std::max(1.0F, side.weight));
   side.sum = keep * side.sum + weight * static_cast<float>(std::log(p / (1.0 - p)));
   side.weight = keep * side.weight + weight;
