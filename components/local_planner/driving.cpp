@@ -62,6 +62,7 @@ PlanningResult stopped(const PlanningProblem& problem, PlanningStatus status, st
   result.status = status;
   result.reason = std::move(reason);
   result.command = stop_twist(problem.twist, problem.limits, problem.command_lead);
+  result.brakes_hard = true;
   return result;
 }
 
@@ -72,15 +73,15 @@ bool evade(const PlanningProblem& problem, const DrivingOptions& options, const 
     result.status = PlanningStatus::infeasible;
     result.reason = "no motion is free and no evasive move is";
     result.command = stop_twist(problem.twist, problem.limits, problem.command_lead);
+    result.brakes_hard = true;
   };
   if (options.evasion_horizon <= 0.0) {
     if (!safety.free) stop();
     return !safety.free;
   }
-  EvasiveMove move =
-      best_evasive_move(problem, problem.plan.back().position(),
-                        {options.evasion_horizon, problem.command_lead, options.feasibility_margin,
-                         kEnoughGap});
+  EvasiveMove move = best_evasive_move(
+      problem, problem.plan.back().position(),
+      {options.evasion_horizon, problem.command_lead, options.feasibility_margin, kEnoughGap});
   if (safety.free && std::min(move.mover_gap, options.mover_margin) < safety.comfort + kWorthEvading)
     return false;
   stop();

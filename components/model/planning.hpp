@@ -77,6 +77,8 @@ struct PlanningResult {
   PlanningStatus status = PlanningStatus::no_plan;
   std::string reason;  ///< one sentence when status is not ok
   Twist2 command;      ///< finite always; a stop unless status is ok
+  /// The command was reckoned with stop_deceleration and without jerk limit: a stop, or out of somebody's way.
+  bool brakes_hard = false;
   std::vector<TrajectoryPoint> trajectory;
   std::vector<Candidate> candidates;
   std::vector<VelocityCone> velocity_cones;  ///< those the planner looked at

@@ -46,6 +46,7 @@ void LocalPlannerComponent::configure(Setup& setup) {
       "follow_request", Qos::standard(), [this](const auto& request, const Tick&) { on_request(request); },
       Need::optional);
   command_.offer(setup, "cmd_vel_nav", is_stamped(parameters_.enable_stamped_cmd_vel, setup.ros_distro()));
+  brake_hard_ = setup.output<std_msgs::msg::Bool>("brake_hard");
   status_ = setup.output<bandwagon_msgs::msg::FollowStatus>("follow_status");
   cycle_ = setup.output<bandwagon_msgs::msg::PlannerCycle>("local_planner_cycle");
   trajectory_ = setup.output<nav_msgs::msg::Path>("local_plan");
@@ -68,6 +69,7 @@ void LocalPlannerComponent::use(const LocalPlannerParameters& parameters) {
 
 PlanningProblem LocalPlannerComponent::make_problem(const Tick& tick, std::string& missing) {
   PlanningProblem problem = inputs_.problem(tick.now, missing);
+  problem.limits.v_back_max = backward_.update(commanded_, problem.twist.v, problem.limits.v_back_max);
   problem.control_period = period_;
   problem.command_lead = parameters_.command_lead;
   problem.goal_tolerance = task_.tolerance;

@@ -11,10 +11,12 @@
 #include <bandwagon_msgs/msg/follow_status.hpp>
 #include <bandwagon_msgs/msg/planner_cycle.hpp>
 #include <nav_msgs/msg/path.hpp>
+#include <std_msgs/msg/bool.hpp>
 #include <visualization_msgs/msg/marker_array.hpp>
 
 #include "components/local_planner/adaptor/cycle_watch.hpp"
 #include "components/local_planner/adaptor/follow_path_server.hpp"
+#include "components/local_planner/backward_speed.hpp"
 #include "components/local_planner/followed_path.hpp"
 #include "components/local_planner/local_planner_parameters.hpp"
 #include "components/messages/base_stop_source.hpp"
@@ -81,6 +83,7 @@ class LocalPlannerComponent final : public Component {
   BaseStopSource base_;
   FollowPathServer follow_path_;
   VelocityOutput command_;
+  Output<std_msgs::msg::Bool> brake_hard_;
   Output<bandwagon_msgs::msg::FollowStatus> status_;
   Output<bandwagon_msgs::msg::PlannerCycle> cycle_;
   Output<nav_msgs::msg::Path> trajectory_;
@@ -88,6 +91,9 @@ class LocalPlannerComponent final : public Component {
   Logger log_;
   DiagnosticReporter* diagnostics_ = nullptr;
   PlanningStatus last_status_ = PlanningStatus::ok;
+  BackwardSpeed backward_;
+  double commanded_ = 0.0;  ///< speed of the last command [m/s]
+  bool was_hard_ = false;   ///< brake_hard was told last
 };
 
 }  // namespace bw

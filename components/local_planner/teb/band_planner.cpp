@@ -228,6 +228,7 @@ void BandPlanner::command(Cycle& cycle, PlanningResult& result) {
     result.command = hurried ? evasive_twist(wanted, problem.twist, problem.limits, problem.command_lead)
                              : smooth_twist(wanted, problem.twist, acceleration_, problem.limits,
                                             problem.command_lead, problem.control_period);
+    result.brakes_hard = hurried;
   } else if (result.status == PlanningStatus::ok) {
     chosen.band = band_through(result.trajectory, problem, options_.teb.band);
     chosen.evasive = true;

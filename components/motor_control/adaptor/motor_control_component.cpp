@@ -4,6 +4,7 @@
 
 #include <geometry_msgs/msg/twist.hpp>
 #include <nav2_msgs/msg/collision_monitor_state.hpp>
+#include <std_msgs/msg/bool.hpp>
 
 #include "components/messages/geometry.hpp"
 #include "components/messages/speed_limit.hpp"
@@ -13,6 +14,9 @@
 
 namespace bw {
 namespace {
+
+/// As long as a planner counts that said `brake_hard`: it says so in each of its cycles.
+constexpr Duration kHardFor = Duration::milliseconds(300);
 
 struct MotorControlOptions : LimiterOptions {
   double rate = 50.0;
@@ -49,8 +53,13 @@ class MotorControlComponent final : public Component {
     setup.input<nav2_msgs::msg::CollisionMonitorState>(
         "collision_monitor_state", Qos::standard(),
         [this](const auto& message, const Tick&) {
-          const bool acts = message.action_type() != monitor::DO_NOTHING;
-          limiter_->set_braking(acts ? Braking::hard : Braking::smooth);
+          monitor_acts_ = message.action_type() != monitor::DO_NOTHING;
+        },
+        Need::optional);
+    setup.input<std_msgs::msg::Bool>(
+        "brake_hard", Qos::standard(),
+        [this](const auto& message, const Tick& tick) {
+          hard_at_ = message.data() ? std::optional(tick.now) : std::nullopt;
         },
         Need::optional);
     speed_.listen(setup, robot_.limits);
@@ -65,8 +74,11 @@ class MotorControlComponent final : public Component {
   }
 
  private:
+  bool is_told_hard(Time now) const { return hard_at_ && *hard_at_ <= now && now - *hard_at_ < kHardFor; }
+
   void step(const Tick& tick) {
     limiter_->allow(speed_.limits());
+    limiter_->set_braking(monitor_acts_ || is_told_hard(tick.now) ? Braking::hard : Braking::smooth);
     const LimitedTwist limited =
         tick.health == Health::stop ? limiter_->stop(tick.now) : limiter_->step(tick.now);
     if (limited.state != state_) report(limited);
@@ -98,6 +110,8 @@ class MotorControlComponent final : public Component {
   LimitedSpeed speed_;
   std::optional<VelocityLimiter> limiter_;
   LimiterState state_ = LimiterState::waiting;
+  bool monitor_acts_ = false;
+  std::optional<Time> hard_at_;  ///< when whoever plans asked for hard braking last
   Twist2 last_;
   Failsafe silent_, unusable_;
   Logger log_;

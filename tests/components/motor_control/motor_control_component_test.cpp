@@ -3,6 +3,7 @@
 #include <geometry_msgs/msg/twist.hpp>
 #include <gtest/gtest.h>
 #include <nav2_msgs/msg/speed_limit.hpp>
+#include <std_msgs/msg/bool.hpp>
 
 #include "components/messages/geometry.hpp"
 #include "components/messages/wheel_joints.hpp"
@@ -56,6 +57,41 @@ TEST(MotorControlComponent, ReachesTheCommandAndStopsWhenCommandsStop) {
   EXPECT_NEAR(at(list, 2.22), 0.8 - 0.04, 1e-6);  // 2 m/s^2 from here
   EXPECT_NEAR(at(list, 2.6), 0.0, 1e-6);
   EXPECT_EQ(list.back(), 0.0);
+}
+
+// From 0.8 m/s to rest, commanded at 2 s and heard at the next step: within acc_max 1 m/s^2 and the jerk limit
+// more than 0.8 s; where the planner says that it reckoned with stop_deceleration, 2 m/s^2, 0.4 s. 0.3 s after it
+// was last said it does not count: what is left is braked smoothly.
+TEST(MotorControlComponent, BrakesHardAsLongAsThePlannerSaysSo) {
+  const auto brake = [](double said_until) {
+    std::vector<double> list;
+    run_with_script("components: {motor_control: {}}", 4.0, [&](bw::Setup& setup) {
+      setup.input<sensor_msgs::msg::JointState>(
+          "wheel_commands", Qos::standard(50), [&](const auto& message, const Tick&) {
+            const WheelSpeeds wheels = wheel_speeds_of(message, {kRadius, kRadius}).value();
+            list.push_back((wheels.left + wheels.right) / 2.0);
+          });
+      setup.every(Duration::milliseconds(100), "wish",
+                  [said_until, out = setup.command<geometry_msgs::msg::Twist>("cmd_vel"),
+                   hard = setup.output<std_msgs::msg::Bool>("brake_hard")](const Tick& tick) mutable {
+                    const double t = seconds_since_start(tick.now);
+                    if (t > 1.95 && t < said_until) {
+                      std_msgs::msg::Bool message;
+                      message.data(true);
+                      hard.publish(message);
+                    }
+                    out.publish(to_twist_message({t < 1.95 ? 0.8 : 0.0, 0.0}));
+                  });
+    });
+    return list;
+  };
+  const auto smooth = brake(0.0), hard = brake(4.0), told_once = brake(2.05);
+  EXPECT_NEAR(at(smooth, 1.9), 0.8, 1e-6);
+  EXPECT_GT(at(smooth, 2.5), 0.35);
+  EXPECT_NEAR(at(hard, 2.2), 0.4, 0.05);
+  EXPECT_NEAR(at(hard, 2.46), 0.0, 1e-6);
+  EXPECT_NEAR(at(told_once, 2.2), at(hard, 2.2), 1e-6);
+  EXPECT_GT(at(told_once, 2.46), 0.05);
 }
 
 // Straight on at one ground speed, the larger wheel rotates slower: rates as 1 to 1.01.
