@@ -1,5 +1,8 @@
 #include "components/local_planner/teb/band_trajectory.hpp"
 
+#include "components/local_planner/command_limits.hpp"
+#include "components/model/differential_drive.hpp"
+
 namespace bw::teb {
 namespace {
 
@@ -46,6 +49,20 @@ std::vector<TrajectoryPoint> to_trajectory(const Band& band, const Twist2& start
     trajectory.push_back({time, band.poses[i].pose(), twist});
   }
   return trajectory;
+}
+
+std::vector<TrajectoryPoint> as_driven(const Band& band, const PlanningProblem& problem, double duration,
+                                       bool hurried) {
+  const double period = problem.control_period;
+  std::vector<TrajectoryPoint> motion{{0.0, problem.pose, problem.twist}};
+  for (double time = period; time < duration + period; time += period) {
+    const TrajectoryPoint& last = motion.back();
+    const Twist2 wanted = velocity_at(band, problem.twist, time);
+    const Twist2 twist = hurried ? evasive_twist(wanted, last.twist, problem.limits, period)
+                                 : reachable_twist(wanted, last.twist, problem.limits, period);
+    motion.push_back({time, advance_exact(last.pose, blend(last.twist, twist, 0.5), period), twist});
+  }
+  return motion;
 }
 
 }  // namespace bw::teb

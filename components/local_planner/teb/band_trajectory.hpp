@@ -18,4 +18,10 @@ Twist2 velocity_at(const Band& band, const Twist2& start, double time);
 /// Poses of the band with times from now and velocities; the last one at rest if `goal_at_rest`.
 std::vector<TrajectoryPoint> to_trajectory(const Band& band, const Twist2& start, bool goal_at_rest);
 
+/// What the base makes of it in the first `duration` [s]: from the measured velocity on, in steps of the
+/// control period, the velocities of the profile within the limits, which the band itself only pays for.
+/// `hurried`: slowing down with stop_deceleration.
+std::vector<TrajectoryPoint> as_driven(const Band& band, const PlanningProblem& problem, double duration,
+                                       bool hurried);
+
 }  // namespace bw::teb

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "components/local_planner/teb/band_trajectory.hpp"
 #include "components/model/differential_drive.hpp"
 
 namespace bw::teb {
@@ -27,6 +28,26 @@ TEST(Interpolate, FollowsTheExactArc) {
     EXPECT_NEAR(p.y, expected.y, 1e-12);
     EXPECT_NEAR(wrap_angle(p.theta - expected.theta), 0.0, 1e-12);
   }
+}
+
+// A band that stands from the first pose on, of a robot of 1 m/s: at acc_max 1 m/s^2 it goes on for 0.5 m, as an evasive
+// move at stop_deceleration 2 m/s^2 for 0.25 m.
+TEST(AsDriven, BrakesNoHarderThanTheBase) {
+  PlanningProblem problem;
+  problem.twist = {1.0, 0.0};
+  const Band band = straight(11, 0.0, 0.3);
+  const auto smooth = as_driven(band, problem, 2.0, false), hurried = as_driven(band, problem, 2.0, true);
+  EXPECT_GE(smooth.back().time, 2.0 - 1e-9);
+  EXPECT_NEAR(smooth.back().pose.x, 0.5, 0.06);
+  EXPECT_NEAR(hurried.back().pose.x, 0.25, 0.06);
+  EXPECT_NEAR(smooth.back().twist.v, 0.0, 1e-9);
+}
+
+// Backwards at 0.5 m/s, of which the robot has 0.2.
+TEST(AsDriven, BacksNoFasterThanTheBase) {
+  PlanningProblem problem;
+  const auto motion = as_driven(straight(11, -0.15, 0.3), problem, 2.0, false);
+  EXPECT_NEAR(motion.back().twist.v, -problem.limits.v_back_max, 1e-9);
 }
 
 TEST(BandAlong, StartsAtTheRobotEndsAtTheGoalAndKeepsSpeedLimits) {

@@ -109,7 +109,7 @@ TEST(FromAllSides, OneWhoTurnsIntoTheWay) {
     }
   }
   EXPECT_EQ(scenes, 54);
-  test::expect_at_most("contacts with one who turns, of 54", {.asked = 0, .measured = 14}, contacts);
+  test::expect_at_most("contacts with one who turns, of 54", {.asked = 0, .measured = 11}, contacts);
   test::expect_at_most("of these where driving on would have cleared", {.asked = 0, .measured = 1}, needless);
 }
 
@@ -182,9 +182,7 @@ TEST(FromAllSides, TheWaitingRobotMakesRoom) {
       EXPECT_TRUE(outcome.reached);
     }
   }
-  // At 0.6 m after 4 s it is brushed by 0.02 m; with uncertainty_in_choice 1 it is not (teb/evidence.md
-  // 6.8).
-  test::expect_at_most("contacts of the waiting robot, of 6", {.asked = 0, .measured = 1}, contacts);
+  EXPECT_EQ(contacts, 0);
 }
 
 }  // namespace
