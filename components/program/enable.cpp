@@ -15,10 +15,10 @@
 #include <fmt/ranges.h>
 
 #include "runtime/atomic_file.hpp"
-#include "runtime/base/own_program.hpp"
 #include "runtime/cli/verb.hpp"
 #include "runtime/graph/config_file.hpp"
 #include "runtime/host/host.hpp"
+#include "runtime/parameters/own_program.hpp"
 
 namespace bw {
 namespace {

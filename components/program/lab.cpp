@@ -6,8 +6,8 @@
 
 #include <unistd.h>
 
-#include "runtime/base/own_program.hpp"
 #include "runtime/cli/verb.hpp"
+#include "runtime/parameters/own_program.hpp"
 
 namespace bw {
 namespace {

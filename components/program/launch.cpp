@@ -19,13 +19,13 @@
 
 #include "components/program/run_options.hpp"
 #include "components/program/systemd_units.hpp"
-#include "runtime/base/own_program.hpp"
 #include "runtime/build_identity.hpp"
 #include "runtime/cli/signals.hpp"
 #include "runtime/cli/verb.hpp"
 #include "runtime/dds/participant.hpp"
 #include "runtime/graph/config_file.hpp"
 #include "runtime/host/host.hpp"
+#include "runtime/parameters/own_program.hpp"
 #include "runtime/state_folder.hpp"
 #include "runtime/supervisor/supervisor.hpp"
 

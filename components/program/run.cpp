@@ -10,8 +10,8 @@
 #include "components/program/run_options.hpp"
 #include "components/program/score_card_json.hpp"
 #include "runtime/atomic_file.hpp"
-#include "runtime/base/own_program.hpp"
 #include "runtime/cli/verb.hpp"
+#include "runtime/parameters/own_program.hpp"
 #include "runtime/state_folder.hpp"
 
 namespace bw {

@@ -2,8 +2,8 @@
 
 #include <map>
 
-#include "runtime/base/own_program.hpp"
 #include "runtime/parameters/nearest.hpp"
+#include "runtime/parameters/own_program.hpp"
 #include "runtime/parameters/xdg_folder.hpp"
 
 namespace bw {

@@ -17,7 +17,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "runtime/base/own_program.hpp"
+#include "runtime/parameters/own_program.hpp"
 #include "runtime/serial/guardian_protocol.hpp"
 
 namespace bw {

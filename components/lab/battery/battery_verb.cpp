@@ -16,10 +16,10 @@
 #include "components/lab/battery/soak.hpp"
 #include "components/lab/shards/child_pool.hpp"
 #include "components/lab/shards/kept.hpp"
-#include "runtime/base/own_program.hpp"
 #include "runtime/build_identity.hpp"
 #include "runtime/cli/signals.hpp"
 #include "runtime/cli/verb.hpp"
+#include "runtime/parameters/own_program.hpp"
 
 namespace bw {
 namespace {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "runtime/base/own_program.hpp"
+#include "runtime/parameters/own_program.hpp"
 
 namespace bw {
 namespace {
