@@ -79,7 +79,7 @@ inline bool is_free(const std::vector<TrajectoryPoint>& trajectory, const Planni
   return safety_of(trajectory, problem, options).free;
 }
 
-/// A result whose command is a stop within stop_deceleration.
+/// A result whose command is a stop within stop_deceleration, braked hard.
 PlanningResult stopped(const PlanningProblem& problem, PlanningStatus status, std::string reason);
 
 /// For a planner whose best motion has `safety`: true, and `result` is an evasive move (status ok, reason

@@ -7,7 +7,7 @@
 #include "components/local_planner/adaptor/follow_messages.hpp"
 #include "components/local_planner/adaptor/planner_process.hpp"
 #include "components/local_planner/back_off.hpp"
-#include "components/local_planner/command_limits.hpp"
+#include "components/local_planner/driving.hpp"
 #include "components/messages/geometry.hpp"
 
 namespace bw {
@@ -95,8 +95,7 @@ void LocalPlannerComponent::control_cycle(const Tick& tick) {
   watch_->begin();
   std::string missing;
   PlanningProblem problem = make_problem(tick, missing);
-  PlanningResult result;
-  result.command = stop_twist(problem.twist, robot_.limits, parameters_.command_lead);
+  PlanningResult result = stopped(problem, PlanningStatus::no_plan, "");
   if (tick.health == Health::stop) {
     result.reason = "a needed input is stale";
   } else if (!missing.empty()) {

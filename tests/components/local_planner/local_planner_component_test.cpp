@@ -130,39 +130,44 @@ TEST(LocalPlannerComponent, SaysWhatIsMissing) {
   EXPECT_EQ(no_transform.diagnostic_message, "no transform from map to odom");
 }
 
+/// [s] of the last command that is not for standing; before all where there is none.
+double last_motion(const Neighbours& n) {
+  const auto moving = std::find_if(n.commands.rbegin(), n.commands.rend(),
+                                   [](const auto& command) { return command.second.v > 0.0; });
+  return moving == n.commands.rend() ? -1.0 : moving->first;
+}
+
+/// Under way along 10 m, while something falls silent; it says why it stops, and that it is to be braked hard.
+void expect_stop(Neighbours& n, const std::string& settings, double earliest, double latest,
+                 const std::string& reason) {
+  n.requests = {{0, FollowRequest_Constants::FOLLOW}};
+  n.path = {{0, 0, 0}, {10, 0, 0}};
+  n.run(3.5, settings);
+  EXPECT_GT(last_motion(n), earliest);
+  EXPECT_LT(last_motion(n), latest);
+  EXPECT_EQ(n.statuses.back().status(), FollowStatus_Constants::FAILED);
+  EXPECT_EQ(n.statuses.back().reason(), reason);
+  ASSERT_FALSE(n.brakes_hard.empty());
+  EXPECT_TRUE(n.brakes_hard.back());
+}
+
 // Odometry ends at 2 s while the robot drives. It is stale 0.3 s later; the commands for standing follow at
 // the next cycle, since the velocity last heard of is all that is known: 2 m/s^2 over the lead of 0.5 s take
 // away 1 m/s at once.
 TEST(LocalPlannerComponent, StopsWhenOdometryIsStale) {
   Neighbours n;
-  n.requests = {{0, FollowRequest_Constants::FOLLOW}};
-  n.path = {{0, 0, 0}, {10, 0, 0}};
   n.odometry_ends = 100;
-  n.run(3.0, "parameters: {command_lead: 0.5}, inputs: {odom: {max_age: 300ms, on_stale: stop}}");
-  const auto moving = std::find_if(n.commands.rbegin(), n.commands.rend(),
-                                   [](const auto& command) { return command.second.v > 0.0; });
-  ASSERT_NE(moving, n.commands.rend());
-  EXPECT_GT(moving->first, 2.0);
-  EXPECT_LT(moving->first, 2.4);
-  EXPECT_EQ(n.statuses.back().status(), FollowStatus_Constants::FAILED);
-  EXPECT_EQ(n.statuses.back().reason(), "a needed input is stale");
+  expect_stop(n, "parameters: {command_lead: 0.5}, inputs: {odom: {max_age: 300ms, on_stale: stop}}", 2.0,
+              2.4, "a needed input is stale");
 }
 
 // Whoever tells where odom is in map ends at 2 s, as a localization that is killed. Half a second later it is no pose any more;
 // a cycle of 0.1 s after that the commands are for standing, and people and obstacles are as fresh as ever.
 TEST(LocalPlannerComponent, StopsWhenTheTransformIsStale) {
   Neighbours n;
-  n.requests = {{0, FollowRequest_Constants::FOLLOW}};
-  n.path = {{0, 0, 0}, {10, 0, 0}};
   n.transforms_end = 100;
-  n.run(3.5, "parameters: {command_lead: 0.5}");
-  const auto moving = std::find_if(n.commands.rbegin(), n.commands.rend(),
-                                   [](const auto& command) { return command.second.v > 0.0; });
-  ASSERT_NE(moving, n.commands.rend());
-  EXPECT_GT(moving->first, 2.3);
-  EXPECT_LT(moving->first, 2.61);
-  EXPECT_EQ(n.statuses.back().status(), FollowStatus_Constants::FAILED);
-  EXPECT_EQ(n.statuses.back().reason(), "the transform from map to odom is older than 0.5 s");
+  expect_stop(n, "parameters: {command_lead: 0.5}", 2.3, 2.61,
+              "the transform from map to odom is older than 0.5 s");
 }
 
 TEST(LocalPlannerComponent, BacksOffUntilSomethingIsBehind) {
