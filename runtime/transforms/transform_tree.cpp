@@ -78,12 +78,20 @@ std::optional<Eigen::Isometry3d> TransformTree::pose_in_ancestor(const std::stri
   return X;
 }
 
-Time TransformTree::newest_common(const std::vector<std::string>& a, const std::vector<std::string>& b,
-                                  const std::string& ancestor) const {
+std::optional<TransformTree::Connection> TransformTree::connection(const std::string& target,
+                                                                   const std::string& source) const {
+  Connection found{.from_target = chain_to_root(target), .from_source = chain_to_root(source)};
+  const auto ancestor = std::ranges::find_first_of(found.from_source, found.from_target);
+  if (ancestor == found.from_source.end()) return std::nullopt;
+  found.ancestor = *ancestor;
+  return found;
+}
+
+Time TransformTree::newest_common(const Connection& connection) const {
   Time newest{std::numeric_limits<std::int64_t>::max()};
-  for (const auto* chain : {&a, &b}) {
+  for (const auto* chain : {&connection.from_target, &connection.from_source}) {
     for (const std::string& frame : *chain) {
-      if (frame == ancestor) break;
+      if (frame == connection.ancestor) break;
       const Link& link = links_.at(frame);
       if (!link.is_static) newest = std::min(newest, link.samples.back().stamp);
     }
@@ -93,23 +101,18 @@ Time TransformTree::newest_common(const std::vector<std::string>& a, const std::
 
 std::optional<Eigen::Isometry3d> TransformTree::lookup(const std::string& target, const std::string& source,
                                                        Time time) const {
-  const std::vector<std::string> from_target = chain_to_root(target);
-  const std::vector<std::string> from_source = chain_to_root(source);
-  const auto ancestor = std::ranges::find_first_of(from_source, from_target);
-  if (ancestor == from_source.end()) return std::nullopt;
-  if (time == Time{}) time = newest_common(from_target, from_source, *ancestor);
-  const auto X_AT = pose_in_ancestor(target, *ancestor, time);
-  const auto X_AS = pose_in_ancestor(source, *ancestor, time);
+  const std::optional<Connection> connected = connection(target, source);
+  if (!connected) return std::nullopt;
+  if (time == Time{}) time = newest_common(*connected);
+  const auto X_AT = pose_in_ancestor(target, connected->ancestor, time);
+  const auto X_AS = pose_in_ancestor(source, connected->ancestor, time);
   if (!X_AT || !X_AS) return std::nullopt;
   return X_AT->inverse() * *X_AS;
 }
 
 std::optional<Time> TransformTree::newest(const std::string& target, const std::string& source) const {
-  const std::vector<std::string> from_target = chain_to_root(target);
-  const std::vector<std::string> from_source = chain_to_root(source);
-  const auto ancestor = std::ranges::find_first_of(from_source, from_target);
-  if (ancestor == from_source.end()) return std::nullopt;
-  return newest_common(from_target, from_source, *ancestor);
+  const std::optional<Connection> connected = connection(target, source);
+  return connected ? std::optional(newest_common(*connected)) : std::nullopt;
 }
 
 std::optional<Pose2> TransformTree::lookup_planar(const std::string& target, const std::string& source,

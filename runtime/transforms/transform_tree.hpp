@@ -50,11 +50,17 @@ class TransformTree {
     int behind = 0;               ///< how many in a row were much older than the newest
   };
 
+  /// The frames from each of two to its root, and the first that both have.
+  struct Connection {
+    std::vector<std::string> from_target, from_source;
+    std::string ancestor;
+  };
+
   std::vector<std::string> chain_to_root(const std::string& frame) const;
+  std::optional<Connection> connection(const std::string& target, const std::string& source) const;
   std::optional<Eigen::Isometry3d> pose_in_ancestor(const std::string& frame, const std::string& ancestor,
                                                     Time time) const;
-  Time newest_common(const std::vector<std::string>& a, const std::vector<std::string>& b,
-                     const std::string& ancestor) const;
+  Time newest_common(const Connection& connection) const;
 
   Duration history_;
   std::map<std::string, Link> links_;  ///< by child
