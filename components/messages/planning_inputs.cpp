@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "components/messages/geometry.hpp"
 #include "components/messages/obstacles.hpp"
 #include "components/messages/tracks.hpp"
@@ -28,7 +30,8 @@ std::optional<Pose2> PlanningInputs::pose_in_odom(const std::string& frame, std:
     return std::nullopt;
   }
   if (now && *newest < *now - kTransformTolerance) {
-    missing = "the transform from " + frame + " to " + odom_frame_ + " is older than 0.5 s";
+    missing = fmt::format("the transform from {} to {} is older than {:g} s", frame, odom_frame_,
+                          kTransformTolerance.to_seconds());
     return std::nullopt;
   }
   return transforms_->lookup_planar(odom_frame_, frame);
