@@ -207,7 +207,6 @@ void add_loops(cli::Verb verb) {
 
 void add_soak(cli::Verb verb) {
   auto options = std::make_shared<SoakOptions>();
-  verb.option("GRAPH", options->graph, "Graph file, or the name of one (hallway)");
   verb.option("--hours", options->hours, "For how long [h]").positive();
   verb.option("--faults", options->faults, "In virtual time: which, as `--set faults=`; empty: none");
   verb.option("--seed", options->seed, "Of the run");

@@ -10,6 +10,10 @@
 
 namespace bw {
 
+std::vector<InjectionPlan::Process> processes_that_come_back() {
+  return {{.name = "planning", .component = "local_planner"}, {.name = "rest", .component = "localization"}};
+}
+
 std::vector<Injection> injections_of(const InjectionPlan& plan, std::uint64_t seed, int count) {
   constexpr std::array kKinds = {"process_killed", "process_stopped", "process_spins", "process_leaks"};
   Random random(seed);

@@ -25,6 +25,10 @@ struct InjectionPlan {
   double within = 3.0;  ///< [s] of which each comes at any instant
 };
 
+/// The graph whose processes fail, and those of them after which it drives on without a hand.
+inline constexpr const char* kInjectedGraph = "hallway";
+std::vector<InjectionPlan::Process> processes_that_come_back();
+
 /// The first `count` of this drive.
 std::vector<Injection> injections_of(const InjectionPlan& plan, std::uint64_t seed, int count);
 

@@ -22,15 +22,14 @@
 namespace bw {
 namespace {
 
-constexpr const char* kGraph = "hallway";
 const InjectedProcesses kProcesses{.commander = "planning", .base = "world+base"};
 constexpr const char* kWorldApart =
     "--set=world.process=world";  // the base may fail, and what is around it goes on
 
 InjectionPlan plan() {
-  return {.processes = {{.name = kProcesses.commander, .component = "local_planner"},
-                        {.name = "rest", .component = "localization"},
-                        {.name = kProcesses.base, .component = "motor_control", .leaks = false}}};
+  InjectionPlan plan{.processes = processes_that_come_back()};
+  plan.processes.push_back({.name = kProcesses.base, .component = "motor_control", .leaks = false});
+  return plan;
 }
 
 bool release_stop(const std::filesystem::path& folder) {
@@ -82,7 +81,7 @@ nlohmann::json drive_once(const InjectionsOptions& options, std::uint64_t seed, 
   const std::vector<Injection> injections = injections_of(plan(), seed, count);
   std::ofstream(folder / "faults.yaml") << faults_text(injections, plan());
   const std::string bag = (folder / "drive.mcap").string();
-  Launched launched(kGraph,
+  Launched launched(kInjectedGraph,
                     {fmt::format("--seed={}", seed), fmt::format("--for={:g}", options.longest),
                      "--record=" + bag, kWorldApart, "--set=faults=" + (folder / "faults.yaml").string()},
                     folder);

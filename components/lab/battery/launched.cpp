@@ -69,6 +69,17 @@ std::optional<int> Launched::wait(double patience) {
   return process_->known_status();
 }
 
+std::map<std::string, pid_t> Launched::processes() const {
+  std::map<std::string, pid_t> ids;
+  std::ifstream manifest(folder_ / "manifest.yaml");
+  const std::string mark = ": pid ";  // "planning: pid 1234"
+  for (std::string line; std::getline(manifest, line);) {
+    if (const std::size_t at = line.find(mark); at != std::string::npos)
+      ids[line.substr(0, at)] = std::stoi(line.substr(at + mark.size()));
+  }
+  return ids;
+}
+
 void Launched::interrupt() const { process_->signal(SIGINT); }
 
 }  // namespace bw

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,6 +29,8 @@ class Launched {
   /// Asks it to end, as Ctrl-C does.
   void interrupt() const;
   [[nodiscard]] pid_t id() const { return process_->id(); }
+  /// Those that it started, by name, as its manifest tells: of each the last start.
+  [[nodiscard]] std::map<std::string, pid_t> processes() const;
 
  private:
   std::filesystem::path folder_;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <fstream>
 #include <iostream>
 #include <iterator>
+#include <map>
 #include <set>
 #include <thread>
 
@@ -37,18 +37,6 @@ std::vector<std::string> names_in(const std::filesystem::path& folder, const std
   return names;
 }
 
-/// Of the folder's manifest: "planning: pid 1234".
-std::vector<pid_t> processes_of(const std::filesystem::path& folder) {
-  std::vector<pid_t> ids;
-  std::ifstream manifest(folder / "manifest.yaml");
-  const std::string mark = ": pid ";
-  for (std::string line; std::getline(manifest, line);) {
-    if (const std::size_t at = line.find(mark); at != std::string::npos)
-      ids.push_back(std::stoi(line.substr(at + mark.size())));
-  }
-  return ids;
-}
-
 /// Those that a launch starts.
 int count_processes(const std::string& graph) {
   std::set<std::string> names;
@@ -76,10 +64,10 @@ std::string loop_once(const LoopsOptions& options, int number, LoopsResult& resu
     return "did not come up:\n" + launched.log();
   result.slowest_start = std::max(result.slowest_start, since(begin));
   const auto asked = Clock::now();
-  const std::vector<pid_t> processes = processes_of(folder);
+  const std::map<std::string, pid_t> processes = launched.processes();
   if (options.kill) {
     kill(launched.id(), SIGKILL);
-    for (const pid_t process : processes) kill(process, SIGKILL);
+    for (const auto& [name, id] : processes) kill(id, SIGKILL);
   } else {
     launched.interrupt();
   }
@@ -88,8 +76,8 @@ std::string loop_once(const LoopsOptions& options, int number, LoopsResult& resu
   if (!status) return "did not end:\n" + launched.log();
   const int wanted = options.kill ? 128 + SIGKILL : 0;
   if (*status != wanted) return fmt::format("ended with status {}:\n{}", *status, launched.log());
-  for (const pid_t process : processes) {
-    if (!is_gone(process)) return fmt::format("process {} is still there", process);
+  for (const auto& [name, id] : processes) {
+    if (!is_gone(id)) return fmt::format("process {} ({}) is still there", id, name);
   }
   std::filesystem::remove_all(folder);
   return {};

@@ -1,7 +1,6 @@
 #include "components/lab/battery/soak.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -123,7 +122,7 @@ bool soak_a_virtual_day(const SoakOptions& options) {
   };
   std::vector<ExtraComponent> extra;
   extra.push_back({.name = "soak_watch", .component = std::make_unique<SoakWatch>(book.count(), on_minute)});
-  Host host(load_graph(options.graph, changes),
+  Host host(load_graph(kInjectedGraph, changes),
             {.clock = ClockMode::lockstep, .seed = options.seed, .alone = true}, std::move(extra));
   running = &host;
   const RunEnd end = host.run(Duration::seconds(3600.0 * options.hours));
@@ -132,43 +131,29 @@ bool soak_a_virtual_day(const SoakOptions& options) {
   return book.finish(elapsed, is_over ? "" : "ended early: " + end.reason, {"all"}) && is_over;
 }
 
-/// Children of the launch, by the process of the graph that each runs.
-std::map<std::string, pid_t> children_of(pid_t parent) {
-  std::map<std::string, pid_t> children{{"launch", parent}};
-  std::ifstream in(fmt::format("/proc/{0}/task/{0}/children", parent));
-  for (pid_t id = 0; in >> id;) {
-    std::ifstream words(fmt::format("/proc/{}/cmdline", id), std::ios::binary);
-    for (std::string word; std::getline(words, word, '\0');) {
-      if (word.starts_with("--only=")) children[word.substr(7)] = id;
-    }
-  }
-  return children;
-}
-
 bool soak_in_real_time(const SoakOptions& options) {
   Logbook book(options, 600.0);
   const double longest = 3600.0 * options.hours;
-  const InjectionPlan plan{.processes = {{.name = "planning", .component = "local_planner"},
-                                         {.name = "rest", .component = "localization"}},
-                           .first = kFaultsApart,
-                           .apart = kFaultsApart,
-                           .within = 10.0};
+  const InjectionPlan plan{
+      .processes = processes_that_come_back(), .first = kFaultsApart, .apart = kFaultsApart, .within = 10.0};
   const auto count = static_cast<int>(longest / kFaultsApart) - 1;
   const std::filesystem::path faults = std::filesystem::absolute(options.out / "faults.yaml");
   write_file_atomically(faults, faults_text(injections_of(plan, options.seed, count), plan));
   std::vector<std::string> words = {fmt::format("--seed={}", options.seed), "--stay",
                                     "--set=faults=" + faults.string()};
   for (const std::string& change : errand()) words.push_back("--set=" + change);
-  Launched launched(options.graph, words, options.out / "logs");
+  Launched launched(kInjectedGraph, words, options.out / "logs");
   std::string trouble;
   Host* running = nullptr;
   const auto on_minute = [&](double now) {
-    book.add(now, children_of(launched.id()));
+    std::map<std::string, pid_t> processes = launched.processes();
+    processes["launch"] = launched.id();
+    book.add(now, processes);
     if (!launched.wait(0.0) && !cli::interrupted()) return;
     if (!cli::interrupted()) trouble = "the launch ended by itself:\n" + launched.log();
     running->finish({.ok = true, .reason = "over"}, false);
   };
-  Graph nobody = load_graph(options.graph);
+  Graph nobody = load_graph(kInjectedGraph);
   nobody.components.clear();
   std::vector<ExtraComponent> extra;
   extra.push_back({.name = "soak_watch", .component = std::make_unique<SoakWatch>(book.count(), on_minute)});

@@ -9,7 +9,6 @@
 namespace bw {
 
 struct SoakOptions {
-  std::string graph = "hallway";
   std::string faults = "senses";  ///< of the graph, in virtual time
   double hours = 24.0;
   std::uint64_t seed = 1;
