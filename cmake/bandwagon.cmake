@@ -126,7 +126,7 @@ function(bw_test name)
   set_target_properties(test_${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 8)  # sources of tests share more names
   target_link_libraries(test_${name} PRIVATE bw_compile_options ${ARG_LINK} bw_test_main)
   target_compile_definitions(test_${name} PRIVATE BANDWAGON_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  bw_precompiled(test_${name} test)
+  bw_precompiled_program(test_${name} "${ARG_LINK}")
   set(elsewhere ${ARG_RECORDED} ${ARG_SHORTFALL})
   list(JOIN elsewhere ":" elsewhere)
   if(elsewhere)
