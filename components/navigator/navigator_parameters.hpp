@@ -50,8 +50,6 @@ constexpr auto choice_table(PoseSource) {
 struct NavigatorParameters : NavigatorOptions {
   /// [Hz] how many times a second the navigator looks at the drive (set by code alone)
   double rate = 20.0;
-  /// [s] an older pose means lost
-  static constexpr double kPoseTimeout = 0.5;
   /// [s] time between two status messages while driving
   static constexpr double kFeedbackPeriod = 0.2;
   PoseSource pose_source = PoseSource::localization;
@@ -83,7 +81,8 @@ struct NavigatorParameters : NavigatorOptions {
     v("stop_on_failure", stop_on_failure,
       {.doc = "of several goals one that is not reached is the last, of follow_waypoints too; otherwise "
               "the next one is tried"});
-    v.retired({"rate", "pose_timeout", "feedback_period"}, "a constant of navigator_parameters.hpp");
+    v.retired({"rate", "feedback_period"}, "a constant of navigator_parameters.hpp");
+    v.retired({"pose_timeout"}, "a constant of planning_inputs.hpp");
     v.retired({"via_radius", "replan_period", "lost_patience"}, "a constant of navigator_options.hpp");
   }
 

@@ -8,6 +8,7 @@
 #include <std_msgs/msg/empty.hpp>
 
 #include "components/messages/geometry.hpp"
+#include "components/messages/planning_inputs.hpp"
 #include "components/navigator/adaptor/navigator_messages.hpp"
 
 namespace bw {
@@ -45,7 +46,7 @@ void NavigatorComponent::configure(Setup& setup) {
   lost_ = setup.failsafe(
       {.name = "pose_lost",
        .condition = "no pose while a goal is in hand",
-       .debounce = Duration::seconds(parameters_.kPoseTimeout),
+       .debounce = PlanningInputs::kTransformTolerance,
        .recovery = fmt::format("by itself with the next pose, within {:g} s; then the goal is aborted",
                                parameters_.lost_patience)});
   plan_request_ = setup.output<PlanRequest>("plan_request");

@@ -3,15 +3,20 @@
 #include <utility>
 
 #include "components/messages/geometry.hpp"
+#include "components/messages/planning_inputs.hpp"
 #include "components/navigator/goal_messages.hpp"
 #include "runtime/transforms/transform_tree.hpp"
 
 namespace bw {
+namespace {
+
+constexpr Duration kOldest = PlanningInputs::kTransformTolerance;
+
+}  // namespace
 
 void RobotSituation::listen(Setup& setup, const NavigatorParameters& parameters,
                             std::shared_ptr<const TransformTree> transforms) {
   by_tf_ = parameters.pose_source == PoseSource::tf;
-  set_timeout(NavigatorParameters::kPoseTimeout);
   map_frame_ = setup.frame("map");
   base_frame_ = setup.frame("base_link");
   transforms_ = std::move(transforms);
@@ -23,7 +28,7 @@ void RobotSituation::listen(Setup& setup, const NavigatorParameters& parameters,
 std::optional<Pose2> RobotSituation::pose(Time now) const {
   if (!by_tf_) return from_pose(odometry_->pose().pose());
   const std::optional<Time> newest = transforms_->newest(map_frame_, base_frame_);
-  if (!newest || *newest < now - timeout_) return std::nullopt;
+  if (!newest || *newest < now - kOldest) return std::nullopt;
   return transforms_->lookup_planar(map_frame_, base_frame_);
 }
 
@@ -33,7 +38,7 @@ Situation RobotSituation::at(const Tick& tick) const {
   s.base_stop = base_.at(tick.now);
   if (!odometry_) return s;
   s.twist = from_twist(odometry_->twist().twist());
-  const bool fresh = tick.now - odometry_.received() <= timeout_;
+  const bool fresh = tick.now - odometry_.received() <= kOldest;
   const std::optional<Pose2> X_MB = pose(tick.now);
   if (fresh && tick.health != Health::stop && X_MB && is_finite(*X_MB) && is_finite(s.twist)) s.X_MB = X_MB;
   return s;

@@ -20,9 +20,8 @@ class RobotSituation {
  public:
   void listen(Setup& setup, const NavigatorParameters& parameters,
               std::shared_ptr<const TransformTree> transforms);
-  void set_timeout(double seconds) { timeout_ = Duration::seconds(seconds); }
 
-  /// Without a pose when it is older than the timeout, or not finite.
+  /// Without a pose when it is older than PlanningInputs::kTransformTolerance, or not finite.
   Situation at(const Tick& tick) const;
   /// What a robot without a pose is told to wait for.
   std::string source() const { return by_tf_ ? "tf and odom" : "odometry/filtered"; }
@@ -31,7 +30,6 @@ class RobotSituation {
   std::optional<Pose2> pose(Time now) const;
 
   bool by_tf_ = false;
-  Duration timeout_;
   std::string map_frame_;
   std::string base_frame_;
   std::shared_ptr<const TransformTree> transforms_;
