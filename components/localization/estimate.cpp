@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "components/localization/chi_square.hpp"
+#include "components/model/chi_square.hpp"
 
 namespace bw::localization {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "components/model/chi_square.hpp"
 #include "components/slam/branch_and_bound.hpp"
 #include "components/slam/once_per_cell.hpp"
 #include "components/slam/refinement.hpp"
@@ -13,7 +14,7 @@ namespace {
 
 constexpr double kLeastScore = 0.4;
 constexpr double kLeastInliers = 0.5;
-constexpr double kExcluded = 16.3;   // chi^2 of three degrees of freedom, 99.9 %
+constexpr double kBelieved = 0.999;  // of right loops are that near to where they are expected
 constexpr double kLeastValue = 0.4;  // share of inliers times the share that was not seen through
 constexpr int kIterationsOfLoop = 15;
 constexpr double kApart = 0.2;  // [m] of the points that are searched with
@@ -131,7 +132,7 @@ std::optional<Loop> LoopSearch::find(const Submap& earlier, const Sights& of_ear
   }
   if (refined.inliers < kLeastInliers) return std::nullopt;
   const UncertainPose there = with_covariance(refined);
-  if (squared_distance(there, expected) > kExcluded) return std::nullopt;
+  if (squared_distance(there, expected) > chi_square_quantile(kBelieved, 3)) return std::nullopt;
   Loop loop;
   loop.score = found->score;
   loop.inliers = refined.inliers;

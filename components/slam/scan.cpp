@@ -18,6 +18,9 @@ constexpr double kSpacings = 3.5;          // neighbours are at most so many bea
 constexpr double kGrazing = 3.0;           // spacing on a wall seen at a flat angle
 constexpr double kLongestDrawn = 65500.0;  // [mm]
 constexpr double kRoughness = 0.02;        // [m] a wall whose points deviate by more is not straight
+constexpr int kFewestBeams = 30;           // by which two sweeps are compared
+constexpr double kAlike = 0.1;             // [m], and
+constexpr double kAlikeShare = 0.02;       // of its range: a beam that sees the same
 
 // Sets the normal of hit `i` from its neighbours along the sweep.
 void set_normal(const std::vector<Hit>& hits, std::size_t i, double increment, SurfacePoint& point) {
@@ -139,12 +142,12 @@ double seen_alike(const RangeImage& then, const RangeImage& now, const Pose2& X_
     ++looked;
     for (std::size_t b = *beam - 1; b <= *beam + 1; ++b) {
       if (then.millimetres[b] == RangeImage::kNoReturn) continue;
-      if (std::abs(0.001 * then.millimetres[b] - range) > 0.1 + 0.02 * range) continue;
+      if (std::abs(0.001 * then.millimetres[b] - range) > kAlike + kAlikeShare * range) continue;
       ++alike;
       break;
     }
   }
-  return looked < 30 ? 1.0 : static_cast<double>(alike) / looked;
+  return looked < kFewestBeams ? 1.0 : static_cast<double>(alike) / looked;
 }
 
 }  // namespace bw::slam

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <limits>
 
-#include "components/localization/chi_square.hpp"
 #include "components/localization/ekf/adaptive_noise.hpp"
 #include "components/localization/ekf/covariance_bounds.hpp"
 #include "components/localization/ekf/motion.hpp"
 #include "components/localization/ekf/observation.hpp"
 #include "components/localization/ekf/reacquisition.hpp"
+#include "components/model/chi_square.hpp"
 
 namespace bw::localization {
 namespace {

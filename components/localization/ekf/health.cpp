@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "components/localization/chi_square.hpp"
 #include "components/localization/ekf/slip.hpp"
 #include "components/localization/estimate.hpp"
+#include "components/model/chi_square.hpp"
 
 namespace bw::localization {
 namespace {

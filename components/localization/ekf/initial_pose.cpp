@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "components/localization/chi_square.hpp"
 #include "components/model/arc.hpp"
+#include "components/model/chi_square.hpp"
 
 namespace bw::localization {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "components/localization/chi_square.hpp"
 #include "components/model/arc.hpp"
+#include "components/model/chi_square.hpp"
 
 namespace bw::localization {
 namespace {

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "components/localization/chi_square.hpp"
 #include "components/localization/particle_filter/particle_filter.hpp"
+#include "components/model/chi_square.hpp"
 
 namespace bw::localization {
 namespace {

@@ -1,8 +1,8 @@
-#include "components/localization/chi_square.hpp"
+#include "components/model/chi_square.hpp"
 
 #include <gtest/gtest.h>
 
-namespace bw::localization {
+namespace bw {
 namespace {
 
 // Printed tables of the chi-square distribution.
@@ -23,4 +23,4 @@ TEST(ChiSquare, IsZeroForNothingAndNan) {
 }
 
 }  // namespace
-}  // namespace bw::localization
+}  // namespace bw

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace bw::localization {
+namespace bw {
 
 /// P(chi^2 <= x); degrees of freedom 1, 2 or 3.
 inline double chi_square_cdf(double x, int dof) {
@@ -25,4 +25,4 @@ inline double chi_square_quantile(double probability, int dof) {
   return (low + high) / 2.0;
 }
 
-}  // namespace bw::localization
+}  // namespace bw
