@@ -21,6 +21,7 @@
 
 #include "runtime/base/quantile.hpp"
 #include "runtime/host/host.hpp"
+#include "runtime/process_memory.hpp"
 
 namespace bw {
 namespace {
@@ -204,11 +205,7 @@ Cost idle(bool with_actions, double seconds) {
   std::this_thread::sleep_for(std::chrono::seconds(3));  // set-up is not idleness
   const double before = cpu_seconds();
   std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
-  Cost cost{.cpu_percent = 100.0 * (cpu_seconds() - before) / seconds};
-  std::ifstream status(folder + "/status");
-  for (std::string line; std::getline(status, line);) {
-    if (line.starts_with("VmRSS:")) cost.memory_mb = std::stod(line.substr(6)) / 1024.0;
-  }
+  const Cost cost{100.0 * (cpu_seconds() - before) / seconds, memory_mb(std::to_string(child))};
   kill(child, SIGTERM);
   waitpid(child, nullptr, 0);
   return cost;

@@ -20,6 +20,7 @@
 
 #include "runtime/base/quantile.hpp"
 #include "runtime/host/host.hpp"
+#include "runtime/process_memory.hpp"
 
 namespace bw {
 namespace {
@@ -133,14 +134,6 @@ double cpu_seconds() {
   timespec used{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
   return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
-}
-
-double memory_mb() {
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);) {
-    if (line.starts_with("VmRSS:")) return std::stod(line.substr(6)) / 1024.0;
-  }
-  return 0.0;
 }
 
 class Nothing final : public Component {

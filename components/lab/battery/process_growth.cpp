@@ -5,6 +5,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "runtime/process_memory.hpp"
+
 namespace bw {
 namespace {
 
@@ -19,11 +21,9 @@ void each_from(const std::vector<ProcessSample>& samples, double warm, Use use) 
 
 std::optional<ProcessSample> sample_process(pid_t process, double t) {
   const std::filesystem::path folder = std::filesystem::path("/proc") / std::to_string(process);
-  ProcessSample sample{.t = t};
+  ProcessSample sample{.t = t, .rss = memory_mb(std::to_string(process))};
   std::ifstream status(folder / "status");
   for (std::string word; status >> word;) {
-    double kib = 0.0;
-    if (word == "VmRSS:" && status >> kib) sample.rss = kib * 1024e-6;
     if (word == "Threads:") status >> sample.threads;
   }
   std::error_code fault;

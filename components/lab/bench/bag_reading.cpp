@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "components/lab/bench/bench_common.hpp"
+#include "runtime/process_memory.hpp"
 #include "runtime/recording/bag/bag.hpp"
 
 namespace bw {
@@ -61,15 +62,16 @@ std::vector<double> seek(const bag::Bag& recording, const std::filesystem::path&
 }  // namespace
 
 ordered_json read_figures(const std::filesystem::path& path, int seeks, std::uint64_t seed) {
-  const double memory_before = memory_bytes("VmRSS");
+  const double memory_before = memory_mb();
   drop_cache(path);
   auto start = Clock::now();
   const auto recording = bag::open_bag(path);
   const double open_s = seconds_since(start);
-  const double memory_open = memory_bytes("VmRSS");
-  std::printf("open        %.1f ms, %.1f MB of memory (%.1f MB before)\n", 1e3 * open_s, 1e-6 * memory_open,
-              1e-6 * memory_before);
-  ordered_json figures = {{"open_s", open_s}, {"rss_before", memory_before}, {"rss_open", memory_open}};
+  const double memory_open = memory_mb();
+  std::printf("open        %.1f ms, %.1f MB of memory (%.1f MB before)\n", 1e3 * open_s, memory_open,
+              memory_before);
+  ordered_json figures = {
+      {"open_s", open_s}, {"rss_before", 1e6 * memory_before}, {"rss_open", 1e6 * memory_open}};
   if (recording->message_count() == 0) return figures;
 
   const std::vector<double> times = seek(*recording, path, seeks, seed);
@@ -93,10 +95,10 @@ ordered_json read_figures(const std::filesystem::path& path, int seeks, std::uin
   }
   const double read_s = seconds_since(start);
   std::printf("read        %.0f MB/s of messages, %.0f messages/s, %.1f MB of memory at most\n",
-              1e-6 * bytes / read_s, static_cast<double>(messages) / read_s, 1e-6 * memory_bytes("VmHWM"));
+              1e-6 * bytes / read_s, static_cast<double>(messages) / read_s, peak_memory_mb());
   figures["read_mb_per_s"] = 1e-6 * bytes / read_s;
   figures["read_messages_per_s"] = static_cast<double>(messages) / read_s;
-  figures["rss_most"] = memory_bytes("VmHWM");
+  figures["rss_most"] = 1e6 * peak_memory_mb();
   return figures;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <ctime>
-#include <fstream>
 #include <functional>
 #include <numeric>
 #include <stdexcept>
@@ -28,14 +27,6 @@ double cpu_ms(clockid_t clock) {
 
 double process_cpu_ms() { return cpu_ms(CLOCK_PROCESS_CPUTIME_ID); }
 double thread_cpu_ms() { return cpu_ms(CLOCK_THREAD_CPUTIME_ID); }
-
-double memory_bytes(const std::string& key) {
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);) {
-    if (line.starts_with(key + ":")) return 1024.0 * std::stod(line.substr(key.size() + 1));
-  }
-  return 0.0;
-}
 
 double mean(const std::vector<double>& samples) {
   if (samples.empty()) return 0.0;

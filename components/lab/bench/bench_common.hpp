@@ -20,9 +20,6 @@ double process_cpu_ms();
 /// CPU time of the calling thread [ms].
 double thread_cpu_ms();
 
-/// Of this process [bytes]: the line `key` of /proc/self/status, such as VmRSS. 0 where there is none.
-double memory_bytes(const std::string& key);
-
 /// 0 without samples.
 double mean(const std::vector<double>& samples);
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstring>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -11,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <poll.h>
 
+#include "runtime/process_memory.hpp"
 #include "tests/page/load/published.hpp"
 #include "tests/page/load/web_client.hpp"
 
@@ -25,16 +25,6 @@ Time now() {
   return {std::chrono::duration_cast<std::chrono::nanoseconds>(
               std::chrono::system_clock::now().time_since_epoch())
               .count()};
-}
-
-/// A line of /proc/PID/status [MB].
-double memory_mb(pid_t process, const std::string& line) {
-  std::ifstream status("/proc/" + std::to_string(process) + "/status");
-  for (std::string word; status >> word;) {
-    double kilobytes = 0;
-    if (word == line + ":" && status >> kilobytes) return kilobytes / 1024;
-  }
-  return 0;
 }
 
 /// Message data, as the protocol lays it out: opcode 1, subscription, log time, payload; little endian.
@@ -85,7 +75,7 @@ class Load {
 
   LoadResult run() {
     Published published(options_.topics);
-    const double memory_before = memory_mb(options_.robot, "VmRSS");
+    const double memory_before = memory_mb(std::to_string(options_.robot));
     for (int i = 0; i < options_.healthy; ++i) healthy_.push_back(connect_one());
     for (int i = 0; i < options_.slow; ++i) slow_.push_back(connect_slow());
     counts_.assign(healthy_.size(), std::vector<std::uint64_t>(options_.topics.size()));
@@ -195,7 +185,7 @@ class Load {
       result.delay_ms_p99 = quantile(0.99);
       result.delay_ms_max = quantile(1);
     }
-    result.memory_mb = memory_mb(options_.robot, "VmHWM") - memory_before;
+    result.memory_mb = memory_mb(std::to_string(options_.robot), "VmHWM") - memory_before;
     return result;
   }
 

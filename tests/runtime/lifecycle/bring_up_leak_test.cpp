@@ -1,16 +1,15 @@
 // Up and down many times in one process: what was taken is given back.
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <string>
 #include <utility>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "runtime/dds/participant.hpp"
+#include "runtime/process_memory.hpp"
 #include "tests/runtime/lifecycle/scripted_graph.hpp"
 
 namespace bw::test {
@@ -19,13 +18,6 @@ namespace {
 std::size_t threads() {
   const std::filesystem::directory_iterator tasks("/proc/self/task");
   return static_cast<std::size_t>(std::distance(begin(tasks), end(tasks)));
-}
-
-double resident_mb() {
-  std::ifstream statm("/proc/self/statm");
-  std::size_t total = 0, resident = 0;
-  statm >> total >> resident;
-  return static_cast<double>(resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE))) / 1e6;
 }
 
 struct Use {
@@ -49,7 +41,7 @@ class Cycler final : public Component {
     setup.every(Duration::milliseconds(300), "look", [this](const Tick&) {
       const std::uint64_t changes = watcher_.endpoint_changes();
       if (std::exchange(changes_, changes) != changes || changes == 0 || is_cycling_) return;
-      uses_.push_back({threads(), watcher_.endpoints().size(), resident_mb()});
+      uses_.push_back({threads(), watcher_.endpoints().size(), memory_mb()});
       if (left_ == 0) return finish_(true, "done");
       is_cycling_ = true;
       step();

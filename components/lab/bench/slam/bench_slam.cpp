@@ -11,6 +11,7 @@
 #include "components/slam/files/slam_settings.hpp"
 #include "components/slam/map_painter.hpp"
 #include "runtime/base/quantile.hpp"
+#include "runtime/process_memory.hpp"
 
 namespace bw {
 namespace {
@@ -27,7 +28,7 @@ OccupancyGrid painted_at_truth(const slam::Slam& made, double resolution, const 
 class OnlineCost {
  public:
   OnlineCost(double resolution, const Pose2& X_WM)
-      : painter_(resolution, X_WM), memory_before_(memory_bytes("VmRSS")) {}
+      : painter_(resolution, X_WM), memory_before_(bw::memory_mb()) {}
 
   void look(const slam::SlamReplay& so_far) {
     double ms = so_far.scan_times.back();
@@ -36,11 +37,10 @@ class OnlineCost {
     const double before_ms = thread_cpu_ms();
     painter_.update(so_far.slam, slam::kDrawnPerScan);
     times_.push_back(ms + thread_cpu_ms() - before_ms);
-    if (times_.size() % kLooksAtMemory == 0)
-      memory_ = std::max(memory_, memory_bytes("VmRSS") - memory_before_);
+    if (times_.size() % kLooksAtMemory == 0) memory_ = std::max(memory_, bw::memory_mb() - memory_before_);
   }
   const std::vector<double>& times() const { return times_; }  ///< [ms]
-  double memory_mb() const { return 1e-6 * memory_; }
+  double memory_mb() const { return memory_; }
 
  private:
   static constexpr std::size_t kLooksAtMemory = 200;  // scans
