@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "components/localization/ekf/covariance_bounds.hpp"
+#include "components/localization/ekf/heading_doubt.hpp"
 #include "components/localization/ekf/motion.hpp"
 
 namespace bw::localization {
@@ -37,6 +38,7 @@ void Ekf::begin(const Pose2& X_MB, const Eigen::Matrix3d& covariance, Time time,
     state.rounded_at = kNever;
     state.gyro = {};
     state.slip = {};
+    state.doubt = {};
     for (SourceState& source : state.sources) source.run = {};
   } else {
     state.P(3, 3) = bias.gyro_bias ? bias.gyro_bias_sigma * bias.gyro_bias_sigma : 0.0;
@@ -110,6 +112,7 @@ void Ekf::jump_to(Time time, Duration lost) {
   state.last_wheel = time;
   state.gyro = {};
   state.slip = {};
+  state.doubt = {};
   state.last_reset = kNever;
   for (SourceState& source : state.sources) {
     source.run = {};
@@ -129,7 +132,7 @@ Estimate Ekf::estimate_at(Time time) const {
   estimate.time = reached;
   estimate.X_MB = at.X_MB;
   estimate.twist = state.twist;
-  const Eigen::Matrix3d C = at.by_pose * state.P.topLeftCorner<3, 3>() * at.by_pose.transpose();
+  const Eigen::Matrix3d C = at.by_pose * honest_covariance(state) * at.by_pose.transpose();
   estimate.covariance = 0.5 * (C + C.transpose());
   estimate.covariance.diagonal() +=
       Eigen::Vector3d(at.position_variance, at.position_variance, at.heading_variance);

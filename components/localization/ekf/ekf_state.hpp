@@ -2,14 +2,15 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "components/model/rigid_fit.hpp"
 #include "components/localization/measurements.hpp"
+#include "components/model/rigid_fit.hpp"
 
 namespace bw::localization {
 
@@ -46,19 +47,37 @@ struct SlipExcess {
 
 /// Wheels against gyro (slip.hpp). The first five are sums forgotten exponentially, over one window or so.
 struct SlipWatch {
-  double disagreement = 0.0;  ///< rotation of the wheels less the gyro's [rad]
-  double variance = 0.0;      ///< of its white part [rad^2]
-  double time = 0.0;          ///< [s] that it spans; times the bias' variance, its common part
-  double travel = 0.0;        ///< of the wheels [m]
-  double rotation = 0.0;      ///< of the wheels [rad]
-  double block_travel = 0.0;  ///< of the span of one window that is not full yet [m]
-  double block_time = 0.0;    ///< [s]
-  double last_speed = 0.0;    ///< mean over the last full one [m/s]
-  double speed = 0.0;         ///< over that before it, which no slip that was just seen has reached [m/s]
-  Time since = kNever;        ///< slip goes on since then; kNever: none
-  Time seen = kNever;         ///< last sign of it
-  double lately = 0.0;        ///< [s] of slip, forgotten within half a minute
-  SlipExcess excess;          ///< of the slip that goes on
+  double disagreement = 0.0;    ///< rotation of the wheels less the gyro's [rad]
+  double variance = 0.0;        ///< of its white part [rad^2]
+  double time = 0.0;            ///< [s] that it spans; times the bias' variance, its common part
+  double travel = 0.0;          ///< of the wheels [m]
+  double rotation = 0.0;        ///< of the wheels [rad]
+  double block_travel = 0.0;    ///< of the span of one window that is not full yet [m]
+  double block_time = 0.0;      ///< [s]
+  double last_speed = 0.0;      ///< mean over the last full one [m/s]
+  double speed = 0.0;           ///< over that before it, which no slip that was just seen has reached [m/s]
+  Time since = kNever;          ///< slip goes on since then; kNever: none
+  Time seen = kNever;           ///< last sign of it
+  double lately = 0.0;          ///< [s] of slip, forgotten within half a minute
+  double apart = 0.0;           ///< as disagreement, over a window that a failing gyro takes to show [rad]
+  double apart_variance = 0.0;  ///< of its white part [rad^2]
+  Time distrusted_until = kNever;  ///< the gyro was found to have failed (heading_doubt.hpp)
+  SlipExcess excess;               ///< of the slip that goes on
+};
+
+/// A compass and the estimate contradict each other (heading_doubt.hpp).
+struct HeadingDoubt {
+  int source = -1;                          ///< the compass that is watched
+  int readings = 0;                         ///< of it
+  Time since = kNever;                      ///< the doubt goes on since then; kNever: none
+  StateVector error = StateVector::Zero();  ///< of the estimate, if the compass is right: truth less estimate
+  double by_wheels = 0.0;                   ///< log of the likelihood ratio that it is, as wheels tell
+  double by_others = 0.0;                   ///< and as fixes do
+
+  bool is_open() const { return since != kNever; }
+  double evidence() const { return by_wheels + by_others; }
+  /// That the compass is right.
+  double probability() const { return is_open() ? 1.0 / (1.0 + std::exp(-evidence())) : 0.0; }
 };
 
 /// Rejections of one source in a row that agree with each other.
@@ -111,6 +130,7 @@ struct EkfState {
   double rotated = 0.0;      ///< [rad], signed, not wrapped
   GyroSum gyro;
   SlipWatch slip;
+  HeadingDoubt doubt;
   Time last_reset = kNever;  ///< last time a source took the estimate over
   int reset_source = -1;
   std::vector<SourceState> sources{kUsualSources};  ///< by number

@@ -6,6 +6,7 @@
 
 #include "components/localization/ekf/adaptive_noise.hpp"
 #include "components/localization/ekf/covariance_bounds.hpp"
+#include "components/localization/ekf/heading_doubt.hpp"
 #include "components/localization/ekf/motion.hpp"
 #include "components/localization/ekf/observation.hpp"
 #include "components/localization/ekf/reacquisition.hpp"
@@ -133,6 +134,17 @@ struct Applier {
     const double nis = z.nis(state.P);
     FusionResult result{Verdict::accepted, nis, N};
     const bool passes = nis >= 0.0 && nis <= thresholds[N];
+    if constexpr (std::is_same_v<M, HeadingReading>) {
+      if (doubt_heading(state, m.source, m.time, z, thresholds[N], options)) {
+        correct_heading(state, m.source, m.time);
+        hold_definite(state.P, state.P.diagonal());
+        note_used(source(m.source), m.time, true, nis, N);
+        result.verdict = Verdict::reacquired;
+        return result;
+      }
+    } else if (state.doubt.is_open()) {
+      weigh_doubt(state.doubt, z, state.P, thresholds[N], passes);
+    }
     if (passes)
       correct_state(z);
     else

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "components/localization/ekf/heading_doubt.hpp"
 #include "components/localization/ekf/slip.hpp"
 #include "components/localization/estimate.hpp"
 #include "components/model/chi_square.hpp"
@@ -20,9 +21,10 @@ class Assessment {
   }
 
   void uncertainty() {
-    const Vector2 axes = ellipse_95(state_.P.topLeftCorner<2, 2>());
+    const Eigen::Matrix3d P = honest_covariance(state_);
+    const Vector2 axes = ellipse_95(P.topLeftCorner<2, 2>());
     health_.two_sigma = 2.0 * axes.x() / std::sqrt(chi_square_quantile(0.95, 2));
-    health_.heading_sigma = std::sqrt(std::max(0.0, state_.P(2, 2)));
+    health_.heading_sigma = std::sqrt(std::max(0.0, P(2, 2)));
     const HealthOptions& limits = options_.health;
     if (health_.two_sigma > limits.kDegradedShare * limits.lost_two_sigma) {
       worsen(health_.two_sigma > limits.lost_two_sigma ? HealthState::lost : HealthState::degraded,
@@ -36,7 +38,7 @@ class Assessment {
     const double silent = age(state_.last_wheel);
     if (silent > options_.motion.extrapolation)
       worsen(HealthState::degraded, {HealthCause::wheels_silent, -1, silent});
-    if (gyro_in_doubt(state_.slip, options_.slip)) {
+    if (gyro_in_doubt(state_.slip, state_.time, options_.slip)) {
       worsen(HealthState::degraded, {HealthCause::gyro_in_doubt, -1, state_.slip.lately});
     } else if (slipping(state_.slip)) {
       worsen(HealthState::degraded, {HealthCause::slipping, -1, age(state_.slip.since)});

@@ -124,14 +124,18 @@ SlipCorrection update_by_gyro(EkfState& state, Joint& joint, const WheelStep& st
                                 .distance = joint.distance(),
                                 .rotation = joint.rotation() - joint.carried,
                                 .separation = step.separation};
+    const bool slipped = slipping(state.slip);
     watch_slip(state.slip, compared, state.P(3, 3), step.time, options.motion.acceleration, options.slip);
-    if (slipping(state.slip) && !gyro_in_doubt(state.slip, options.slip)) {
+    // That the wheels slipped nobody contradicted: it says nothing of the gyro.
+    if (slipped && !slipping(state.slip) && !state.doubt.is_open())
+      state.slip.apart = state.slip.apart_variance = 0.0;
+    if (slipping(state.slip) && !gyro_in_doubt(state.slip, step.time, options.slip)) {
       correction = take_back(state.slip, compared, step.time, options.slip);
       joint.distance_variance() += correction.variance;
       joint.rotation_variance() += z.residual(0) * z.residual(0);
     }
   }
-  if (!gyro_in_doubt(state.slip, options.slip)) update(joint.mean, joint.covariance, z);
+  if (!gyro_in_doubt(state.slip, step.time, options.slip)) update(joint.mean, joint.covariance, z);
   if (slipping(state.slip)) {
     joint.rotation_variance() +=
         common_error(state.slip.excess.rotated, z.residual(0), options.slip.kRotationShare);
@@ -160,6 +164,8 @@ void move(EkfState& state, Joint& joint, double distance, double dt, const EkfOp
   state.P(1, 1) += walked;
   add_process_noise(state.P, dt, options.bias);
   bound(state.P);
+
+  if (state.doubt.is_open()) state.doubt.error.head<3>() = arc.by_pose * state.doubt.error.head<3>();
 
   state.X_OB = advance_arc(state.X_OB, distance, rotation);
   state.odometer += std::abs(distance);

@@ -141,6 +141,7 @@ void take_over(EkfState& state, const Rejection& r, const Eigen::Matrix3d& covar
     state.x(2) = wrap_angle(X_MB.theta + X_now_then.theta);
   }
   run = {};
+  state.doubt = {};
   state.last_reset = r.time;
   state.reset_source = r.source;
 }

@@ -8,6 +8,7 @@ namespace bw::localization {
 namespace {
 
 constexpr double kForgetting = 30.0;   // [s] over which slip is added up for the doubt
+constexpr double kApart = 2.0;         // [s] over which wheels and gyro go apart while one of them fails
 constexpr double kSuspect = 0.36;      // of the gate: from here on the speed may be that of slipping wheels
 constexpr double kCalm = 0.6;          // of the largest acceleration: between one window and the next
 constexpr double kSpeedShare = 0.05;   // that wheels may measure a speed wrong
@@ -73,6 +74,9 @@ void watch_slip(SlipWatch& watch, const ComparedStep& step, double bias_variance
   watch.time = lambda * watch.time + step.seconds;
   watch.travel = lambda * watch.travel + step.distance;
   watch.rotation = lambda * watch.rotation + step.rotation;
+  const double forgotten = std::exp(-step.seconds / kApart);
+  watch.apart = forgotten * watch.apart + step.disagreement;
+  watch.apart_variance = forgotten * forgotten * watch.apart_variance + step.variance;
   const double e = watch.disagreement;
   const double variance = watch.variance + watch.time * watch.time * bias_variance + 2.0 * step.rounding;
   const bool sign = e * e > options.kGate * variance && std::abs(e) > options.kLeastRate * watch.time;

@@ -55,9 +55,10 @@ inline double common_error(double& sum, double step, double share) {
 
 inline bool slipping(const SlipWatch& watch) { return watch.since != kNever; }
 
-/// More slip lately than wheels slip: gyro or encoders are wrong, and nothing tells which.
-inline bool gyro_in_doubt(const SlipWatch& watch, const SlipOptions& options) {
-  return watch.lately > options.longest;
+/// More slip lately than wheels slip: gyro or encoders are wrong, and nothing tells which; or it was found to
+/// have failed.
+inline bool gyro_in_doubt(const SlipWatch& watch, Time time, const SlipOptions& options) {
+  return watch.lately > options.longest || time < watch.distrusted_until;
 }
 
 }  // namespace bw::localization
