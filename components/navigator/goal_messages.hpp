@@ -21,6 +21,7 @@ struct Situation {
   Time now;
   std::optional<Pose2> X_MB;
   Twist2 twist;
+  double two_sigma = 0.0;             ///< of the position along its worst axis [m]; 0: nobody tells
   bool is_overridden = false;         ///< a hand has driven, and nobody has released it
   std::optional<BaseStop> base_stop;  ///< nothing: the base drives, or does not tell
 };

@@ -174,8 +174,8 @@ void Navigator::advance_following(const Situation& situation) {
   const Time now = situation.now;
   forget_passed(situation.X_MB->position());
   if (via_.empty() && is_within_tolerance(*situation.X_MB, X_MG_, options_)) {
-    if (is_standing(situation.twist, options_)) return finish(GoalStatus::succeeded, "reached", situation);
     if (!within_since_) within_since_ = now;
+    if (is_standing(situation.twist, options_)) return claim(situation);
     if (follow_mode_ == FollowMode::follow && older_than(*within_since_, options_.settle_time, now)) {
       order(FollowMode::stop, now);
     }

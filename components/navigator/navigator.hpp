@@ -7,7 +7,8 @@
 //
 // A newer goal preempts: the older one ends `aborted`, and its path is followed until the first plan of the
 // newer one. After cancel() the goal is `canceling` until the robot stands, then `canceled`. Without a pose
-// the robot stops, and the goal is aborted after lost_patience. A goal may have poses to drive through: each
+// the robot stops, and the goal is aborted after lost_patience; so is one that it stands at without knowing it
+// within what a judge allows. A goal may have poses to drive through: each
 // is passed when the robot was near it in its turn, and plans lead through those that are left.
 //
 // A hand that drives meanwhile (Situation::is_overridden) stops the goal, which waits for as long as that
@@ -66,6 +67,8 @@ class Navigator {
   void see_base(const Situation& situation);
   std::string waiting_for_base() const;
   void advance_following(const Situation& situation);
+  /// Where the robot stands within the tolerances, as far as it knows.
+  void claim(const Situation& situation);
   void advance_recovery(const Situation& situation);
   void advance_lost(const Situation& situation);
   void advance_overridden(const Situation& situation);

@@ -18,6 +18,15 @@ void Navigator::advance_lost(const Situation& situation) {
   }
 }
 
+void Navigator::claim(const Situation& situation) {
+  if (situation.two_sigma <= judged_xy(options_.tolerance()))
+    return finish(GoalStatus::succeeded, "reached", situation);
+  const GoalProblem problem{GoalFault::unplaced,
+                            "the robot stands at the goal, if it is where it thinks: it does not know"};
+  reason_ = problem.reason;
+  if (older_than(*within_since_, options_.lost_patience, situation.now)) abort(problem, situation);
+}
+
 void Navigator::advance_overridden(const Situation& situation) {
   if (!situation.is_overridden) return begin_planning(situation);
   if (phase_ == Phase::overridden) return;

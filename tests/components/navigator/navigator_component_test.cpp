@@ -31,6 +31,19 @@ TEST(NavigatorComponent, DrivesToTheGoalOfTheGraph) {
   EXPECT_NEAR(static_cast<double>(world.statuses.size()), 2 + 15 + 1, 2);
 }
 
+// Variances of 0.02 m^2 and the covariance c between: 0.02 + c along the worst axis, two standard deviations of 0.297 m
+// for 0.002 and 0.303 m for 0.003, where 0.3 m are allowed.
+TEST(NavigatorComponent, GoesByTheWorstAxisOfTheCovariance) {
+  for (const double c : {0.002, 0.003}) {
+    World world;
+    world.covariance << 0.02, c, 0.0, c, 0.02, 0.0, 0.0, 0.0, 0.01;
+    run_with_script("components: {navigator: {parameters: {goal: {enabled: true, x: 3.0}}}}", 14.0,
+                    [&](bw::Setup& setup) { world.configure(setup); });
+    EXPECT_EQ(world.statuses.back().status(),
+              c < 0.0025 ? NavigationStatus_Constants::SUCCEEDED : NavigationStatus_Constants::ABORTED);
+  }
+}
+
 // 3 m out, 1 m back, 2 m out at 1 m/s with a second between: succeeded three times, 2, 1 and 0 goals follow.
 TEST(NavigatorComponent, DrivesTheGoalsOfTheGraphOneAfterTheOther) {
   World world;

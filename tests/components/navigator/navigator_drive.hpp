@@ -20,7 +20,9 @@ class Drive {
   explicit Drive(const NavigatorOptions& options = {}) : navigator(options) {}
 
   Situation situation() const {
-    return {now, lost ? std::nullopt : std::optional(Pose2{x, 0.0, 0.0}), {v, 0.0}, is_overridden, base_stop};
+    return {now,           lost ? std::nullopt : std::optional(Pose2{x, 0.0, 0.0}),
+            {v, 0.0},      two_sigma,
+            is_overridden, base_stop};
   }
 
   /// Sends what the navigator wants sent; planners answer at once through it.
@@ -98,6 +100,7 @@ class Drive {
   bool is_overridden = false;         ///< by a hand
   std::optional<BaseStop> base_stop;  ///< wheels stand whatever is ordered
   bool lost = false;
+  double two_sigma = 0.0;  ///< of its position [m]
   std::optional<double> goal_x;
   bool answer_plans = true;
   bool empty_plans = false;

@@ -250,6 +250,26 @@ TEST(Navigator, ABlockedStartIsBackedOutOf) {
   EXPECT_EQ(drive.last().status, GoalStatus::succeeded);
 }
 
+// xy_tolerance of 0.2 m and 0.1 m that a judge adds: 0.3 m. Nobody knows that it is there who knows it to 0.31 m.
+TEST(Navigator, ClaimsNoGoalThatItDoesNotKnowItIsAt) {
+  Drive drive;
+  drive.go_to(2.0);
+  drive.two_sigma = 0.31;
+  drive.run(11.0);  // 2 s of driving, 9 of 10 s of waiting
+  EXPECT_EQ(drive.last().status, GoalStatus::executing);
+  EXPECT_EQ(drive.v, 0.0);
+  drive.two_sigma = 0.29;  // the next fix
+  drive.run(0.1);
+  EXPECT_EQ(drive.last().status, GoalStatus::succeeded);
+
+  drive.go_to(4.0);
+  drive.two_sigma = 0.31;
+  drive.run(13.0);
+  EXPECT_EQ(drive.last().status, GoalStatus::aborted);
+  EXPECT_EQ(drive.last().fault, GoalFault::unplaced);
+  EXPECT_THAT(drive.last().reason, HasSubstr("does not know"));
+}
+
 TEST(Navigator, LostRobotStopsAndGoesOnOrGivesUp) {
   Drive drive;
   drive.go_to(10.0);

@@ -36,8 +36,9 @@ namespace PlanResult_Constants = bandwagon_msgs::msg::PlanResult_Constants;
 
 /// Planners and a robot that runs along the x axis at 1 m/s while it is told to follow.
 struct World {
-  double wall = 1e9;     ///< no goal beyond this x can be reached
-  bool is_lost = false;  ///< no odometry
+  double wall = 1e9;                                     ///< no goal beyond this x can be reached
+  bool is_lost = false;                                  ///< no odometry
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of the pose
   std::optional<BaseState>
       base;  ///< nothing: a base that does not tell; one that does obeys when it drives or waits
   double x = 0.0;
@@ -98,6 +99,7 @@ struct World {
                   x = std::abs(left) < 0.05 && v != 0.0 ? goal_x : x + 0.05 * v;
                   nav_msgs::msg::Odometry message;
                   message.pose().pose(to_pose({x, 0, 0}));
+                  set_planar_covariance(message.pose().covariance(), covariance);
                   message.twist().twist().linear().x(v);
                   if (!is_lost) odometry.publish(message);
                   FollowStatus status;
