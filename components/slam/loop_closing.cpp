@@ -158,6 +158,7 @@ void LoopClosing::take_up() {
   known_.submaps.push_back(std::move(waiting_.front()));
   waiting_.pop_front();
   Submap& submap = known_.submaps.back();
+  submap.surfaces = standing(submap.surfaces, sights(index, 0));
   submap.all_round = all_round(submap.surfaces);
   submap.centre = centre(submap.surfaces);
   if (index == 0) {

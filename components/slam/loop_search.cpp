@@ -17,7 +17,9 @@ constexpr double kLeastInliers = 0.5;
 constexpr double kBelieved = 0.999;  // of right loops are that near to where they are expected
 constexpr double kLeastValue = 0.4;  // share of inliers times the share that was not seen through
 constexpr int kIterationsOfLoop = 15;
-constexpr double kApart = 0.2;  // [m] of the points that are searched with
+constexpr double kFitsAsWell = 0.02;  // by so much of its fit the better of two places is no better
+constexpr double kOtherPlace = 0.3;   // [m] between two places
+constexpr double kApart = 0.2;        // [m] of the points that are searched with
 constexpr double kSigmas = 3.0;
 constexpr double kLeastWindow = 0.3;  // [m]
 constexpr double kOverlap = 6.0;      // [m] between the frames of submaps that share walls
@@ -66,35 +68,65 @@ Vector2 centre(std::span<const Surface> surfaces) {
   return surfaces.empty() ? sum : Vector2(sum / static_cast<double>(surfaces.size()));
 }
 
-double seen_through(std::span<const Surface> surfaces, const Sights& sights) {
+namespace {
+
+enum class Look { out_of_view, unsure, met, through };
+
+// From where a scan was taken, of a point in the scanner's frame.
+Look look_at(const Vector2& p, const RangeImage& image) {
   constexpr double kMargin = 0.3;  // [m] a beam that ends so far behind a surface went through it
-  int in_view = 0;
-  int through = 0;
+  const double range = p.norm();
+  if (range < 0.3 || range > 12.0) return Look::out_of_view;
+  const std::optional<std::size_t> beam = beam_towards(image, p);
+  if (!beam || *beam < 1 || *beam + 1 >= image.millimetres.size()) return Look::out_of_view;
+  // All three neighbouring beams must agree: at the edge of an obstacle the next one goes past.
+  int beyond = 0;
+  int ended = 0;
+  for (std::size_t b = *beam - 1; b <= *beam + 1; ++b) {
+    const std::uint16_t mm = image.millimetres[b];
+    if (mm == RangeImage::kUnknown || mm == RangeImage::kNoReturn) continue;
+    const double measured = 0.001 * mm;
+    if (measured < range - kMargin) return Look::out_of_view;
+    (measured > range + kMargin + 0.02 * range ? beyond : ended) += 1;
+  }
+  if (beyond == 3) return Look::through;
+  return ended > 0 ? Look::met : Look::unsure;
+}
+
+// Looks of each scan at every so many of these, from the first on: look(index, what it was).
+template <class F>
+void look_at_each(std::span<const Surface> surfaces, std::size_t stride, const Sights& sights,
+                  const F& look) {
   for (std::size_t k = 0; k < sights.images.size(); ++k) {
     const RangeImage& image = *sights.images[k];
     const Pose2 X_LS = inverse(sights.X_SB[k] * image.X_BL);
-    for (std::size_t n = 0; n < surfaces.size(); n += 3) {
-      const Vector2 p = X_LS * Vector2{surfaces[n].x, surfaces[n].y};
-      const double range = p.norm();
-      if (range < 0.3 || range > 12.0) continue;
-      const std::optional<std::size_t> beam = beam_towards(image, p);
-      if (!beam || *beam < 1 || *beam + 1 >= image.millimetres.size()) continue;
-      // All three neighbouring beams must agree: at the edge of an obstacle the next one goes past.
-      int beyond = 0;
-      int before = 0;
-      for (std::size_t b = *beam - 1; b <= *beam + 1; ++b) {
-        const std::uint16_t mm = image.millimetres[b];
-        if (mm == RangeImage::kUnknown || mm == RangeImage::kNoReturn) continue;
-        const double measured = 0.001 * mm;
-        if (measured > range + kMargin + 0.02 * range) ++beyond;
-        if (measured < range - kMargin) ++before;
-      }
-      if (before > 0) continue;
-      ++in_view;
-      if (beyond == 3) ++through;
-    }
+    for (std::size_t n = 0; n < surfaces.size(); n += stride)
+      look(n, look_at(X_LS * Vector2{surfaces[n].x, surfaces[n].y}, image));
   }
+}
+
+}  // namespace
+
+double seen_through(std::span<const Surface> surfaces, const Sights& sights) {
+  int in_view = 0;
+  int through = 0;
+  look_at_each(surfaces, 3, sights, [&](std::size_t, Look look) {
+    if (look != Look::out_of_view) ++in_view;
+    if (look == Look::through) ++through;
+  });
   return in_view < 30 ? 0.0 : static_cast<double>(through) / in_view;
+}
+
+std::vector<Surface> standing(std::span<const Surface> surfaces, const Sights& sights) {
+  std::vector<int> gone(surfaces.size(), 0);
+  look_at_each(surfaces, 1, sights, [&](std::size_t n, Look look) {
+    if (look == Look::through) ++gone[n];
+    if (look == Look::met) --gone[n];
+  });
+  std::vector<Surface> result;
+  for (std::size_t n = 0; n < surfaces.size(); ++n)
+    if (gone[n] <= 0) result.push_back(surfaces[n]);
+  return result;
 }
 
 LoopSearch::LoopSearch(std::span<const Surface> walls, const Sights& sights, const SlamOptions& options)
@@ -129,6 +161,14 @@ std::optional<Loop> LoopSearch::find(const Submap& earlier, const Sights& of_ear
     const Vector2 along = refined.unseen * refined.unseen.dot(expected.X.position() - refined.X.position());
     refined = refine(*map_, points, {refined.X.x + along.x(), refined.X.y + along.y(), refined.X.theta},
                      nullptr, kIterationsOfLoop);
+  } else if ((refined.X.position() - expected.X.position()).norm() > kOtherPlace) {
+    // Where the place that was expected fits as well, nothing tells the two apart: more of the walls overlap in the one.
+    Refined there = refine(*map_, points, expected.X, nullptr, kIterationsOfLoop);
+    const Vector2 between = refined.X.position() - there.X.position();
+    if (there.fit >= refined.fit - kFitsAsWell && between.norm() > kOtherPlace) {
+      there.hide(between.normalized());
+      refined = there;
+    }
   }
   if (refined.inliers < kLeastInliers) return std::nullopt;
   const UncertainPose there = with_covariance(refined);

@@ -45,6 +45,9 @@ Vector2 centre(std::span<const Surface> surfaces);
 /// too few are in view.
 double seen_through(std::span<const Surface> surfaces, const Sights& sights);
 
+/// Those that no more of the scans went through than met them: somebody who walked by is no wall (theory.md 10.5).
+std::vector<Surface> standing(std::span<const Surface> surfaces, const Sights& sights);
+
 /// Looks for earlier submaps in walls seen later: what it needs of these is made once.
 class LoopSearch {
  public:

@@ -23,6 +23,7 @@ constexpr double kConverged = 1e-5;
 struct System {
   Eigen::Matrix3d H = Eigen::Matrix3d::Zero();  // about the pose's own position
   Eigen::Vector3d b = Eigen::Vector3d::Zero();
+  int in_reach = 0;
   int inliers = 0;
   double squares = 0.0;
   double weights = 0.0;
@@ -44,6 +45,7 @@ System linearised(const SurfaceMap& map, std::span<const SurfacePoint> points, c
     const double ay = s * static_cast<double>(point.x) + c * static_cast<double>(point.y);
     const Surface* surface = map.nearest(X.x + ax, X.y + ay);
     if (surface == nullptr) continue;
+    ++system.in_reach;
     const Vector2 d{X.x + ax - static_cast<double>(surface->x), X.y + ay - static_cast<double>(surface->y)};
     const double straight =
         std::hypot(static_cast<double>(surface->normal_cos2), static_cast<double>(surface->normal_sin2));
@@ -90,6 +92,7 @@ Refined refine(const SurfaceMap& map, std::span<const SurfacePoint> points, cons
   for (int iteration = 0; iteration <= iterations; ++iteration) {
     const System system = linearised(map, points, result.X);
     result.inliers = static_cast<double>(system.inliers) / static_cast<double>(points.size());
+    result.fit = system.in_reach > 0 ? static_cast<double>(system.inliers) / system.in_reach : 0.0;
     result.rms = system.weights > 0.0 ? std::sqrt(system.squares / system.weights) : 0.0;
     const double certainty =
         result.inliers * std::min(1.0, kUsualRms / std::max(result.rms, 1e-3)) / kPointNoise;

@@ -15,9 +15,18 @@ struct Refined {
   /// out.
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   double inliers = 0.0;  ///< share of the points that end within kInlier of a wall, 0 to 1
+  double fit = 0.0;      ///< the same of those with a wall within reach: who overlaps more fits no better
   double rms = 0.0;      ///< of these, along the normals [m]
   /// Unit vector in the submap along which the walls seen do not say where the robot is; zero: none.
   Vector2 unseen{0.0, 0.0};
+
+  /// Along `u`, a unit vector, it says nothing.
+  void hide(const Vector2& u) {
+    Eigen::Matrix3d P = Eigen::Matrix3d::Identity();
+    P.topLeftCorner<2, 2>() -= u * u.transpose();
+    information = P * information * P;
+    unseen = u;
+  }
 };
 
 /// [m] from a wall

@@ -156,6 +156,23 @@ TEST(Refine, InformationIsThatOfTheClosedForm) {
   EXPECT_LT((found.information - expected).norm(), 1e-4 * expected.norm());
 }
 
+// A wall of 10 m, the first 5 m of which the map has not: moved on by 2 m more of it lies on the map's, 7 of 10 m and the
+// reach of its end, and fits as well as before. Beside the wall by more than kInlier nothing fits.
+TEST(Refine, OverlapIsNotFit) {
+  std::vector<Surface> map;
+  add_wall({5.02, 1.02}, {0.05, 0.0}, 0.5 * std::numbers::pi, 200, map);
+  std::vector<Surface> wall;
+  add_wall({0.02, 1.02}, {0.05, 0.0}, 0.5 * std::numbers::pi, 200, wall);
+  const auto at = [&](const Pose2& X) {
+    return refine(SurfaceMap(0.05, map), points_at(wall), X, nullptr, 0);
+  };
+  EXPECT_NEAR(at({}).inliers, 0.5, 0.04);
+  EXPECT_NEAR(at({2.0, 0.0, 0.0}).inliers, 0.7, 0.04);
+  EXPECT_EQ(at({}).fit, 1.0);
+  EXPECT_EQ(at({2.0, 0.0, 0.0}).fit, 1.0);
+  EXPECT_EQ(at({0.0, 0.15, 0.0}).fit, 0.0);
+}
+
 // Walls at y = +-1 whose ends are out of sight: across and the heading are seen, along is not.
 TEST(Refine, InACorridorThePriorDecidesAlongIt) {
   for (const double heading : {0.0, 0.5, 1.2, -2.0}) {

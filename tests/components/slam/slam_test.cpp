@@ -178,6 +178,33 @@ TEST(Slam, BlendsInProportionToTheWayToTheNextSubmap) {
   EXPECT_GT(most.minCoeff(), 1e-5) << most.transpose();
 }
 
+// In a corridor of 13 x 2 m somebody stands 3 m ahead for the first half metre of the way, and is gone. Of the first submap's walls
+// all are walls then: by what scans saw of them there is nobody. As many walls stay as without anybody, but for what the
+// body hid.
+TEST(Slam, WhoLeftIsNotAmongTheWallsOfASubmap) {
+  StaticObstacles corridor;
+  test::add_box(corridor, {-5.0, -1.0}, {8.0, 1.0});
+  const auto walls_of = [&](bool is_somebody_there) {
+    StaticObstacles with_body = corridor;
+    if (is_somebody_there) with_body.discs.push_back({{3.0, 0.1}, 0.2});
+    test::Scanner then(with_body, 0.01, 1, {.beams = 360, .range_max = 12.0});
+    test::Scanner afterwards(corridor, 0.01, 2, {.beams = 360, .range_max = 12.0});
+    Slam slam(SlamOptions{});
+    for (int k = 0; k < 60; ++k) {
+      const Pose2 X{0.1 * k, 0.0, 0.0};
+      slam.add((k < 5 ? then : afterwards).scan(Time::seconds(0.2 * k), X), X);
+    }
+    slam.finish();
+    return slam.map().front().surfaces;
+  };
+  const FinishedWalls alone = walls_of(false);
+  const FinishedWalls walls = walls_of(true);
+  for (const Surface& surface : walls)
+    ASSERT_TRUE(surface.x > 7.9F || surface.x < -4.9F || std::abs(surface.y) > 0.9F)
+        << surface.x << ", " << surface.y;
+  EXPECT_GT(static_cast<double>(walls.size()), 0.95 * static_cast<double>(alone.size()));
+}
+
 // Without loops the second round is not matched with the first, and the map is as good as tracking.
 TEST(Slam, WithoutLoopClosingFindsNone) {
   SlamOptions options;
