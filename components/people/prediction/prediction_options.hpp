@@ -20,9 +20,12 @@ struct PredictionOptions {
   double horizon = 4.0;
   /// [s] time between predicted positions (set by code alone)
   double step = 0.5;
-  /// [m/s/sqrt(s)] white acceleration per axis that people show against a straight prediction
-  /// (../evidence.md, "How people go on")
-  static constexpr double kRestlessness = 0.2;
+  /// [m^2/s^3] white acceleration along the way that people may show against the prediction (set by code
+  /// alone)
+  double spread_along = 0.0;
+  /// [m^2/s^3] white acceleration across the way that people may show against the prediction (set by code
+  /// alone)
+  double spread_across = 0.0;
   /// [m/s] below this speed a velocity shows no heading and no turn
   static constexpr double kWalkingSpeed = 0.2;
   /// [s] time over which the turn rate is averaged

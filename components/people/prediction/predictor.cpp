@@ -34,14 +34,22 @@ Vector2 arc(const Vector2& velocity, double omega, double tau, double t) {
 
 }  // namespace
 
-Eigen::Matrix2d predicted_covariance(const TrackedPerson& person, double t) {
+Eigen::Matrix2d predicted_covariance(const TrackedPerson& person, double t,
+                                     const PredictionOptions& options) {
   const Eigen::Matrix4d& P = person.covariance;
   const Eigen::Matrix2d cross = P.topRightCorner<2, 2>();
-  const Eigen::Matrix2d C =
+  Eigen::Matrix2d C =
       P.topLeftCorner<2, 2>() + t * (cross + cross.transpose()) + t * t * P.bottomRightCorner<2, 2>();
-  constexpr double kRestlessness = PredictionOptions::kRestlessness;
-  const double growth = kRestlessness * kRestlessness * t * t * t / 3.0;
-  return 0.5 * (C + C.transpose()) + growth * Eigen::Matrix2d::Identity();
+  const double speed = person.velocity.norm();
+  const Vector2 along = speed > options.kWalkingSpeed ? Vector2(person.velocity / speed) : Vector2(1.0, 0.0);
+  const Vector2 across(-along.y(), along.x());
+  // Without a heading both directions spread alike, by the larger.
+  const double most = std::max(options.spread_along, options.spread_across);
+  const bool walks = speed > options.kWalkingSpeed;
+  const double growth = t * t * t / 3.0;
+  C += growth * (walks ? options.spread_along : most) * along * along.transpose();
+  C += growth * (walks ? options.spread_across : most) * across * across.transpose();
+  return 0.5 * (C + C.transpose());
 }
 
 double Predictor::turn_rate(const TrackedPerson& person, Time now) {
@@ -83,7 +91,7 @@ void Predictor::predict(std::vector<TrackedPerson>& people, const StaticObstacle
       Vector2 position = person.position + t * person.velocity;
       if (!walked.empty()) position = walked[static_cast<std::size_t>(k - 1)][index];
       if (omega != 0.0) position = person.position + arc(person.velocity, omega, options_.kTurnRateMemory, t);
-      predictions.push_back({t, position, predicted_covariance(person, t)});
+      predictions.push_back({t, position, predicted_covariance(person, t, options_)});
     }
     ++index;
     calibration_.observe(person.id, now, person.position, person.covariance.topLeftCorner<2, 2>());

@@ -4,7 +4,7 @@
 //               constant turn rate:  an arc whose turn rate dies out, omega exp(-t / kTurnRateMemory)
 //               social force:        everybody wants to keep their velocity, and is pushed by the others
 //                                    and by walls
-//   covariance  J P J^T + kRestlessness^2 t^3 / 3 I,   J = [I  t I]
+//   covariance  J P J^T + R(heading) diag(spread_along, spread_across) R^T t^3 / 3,   J = [I  t I]
 //               P of (position, velocity) as tracked; the second term is what white acceleration adds; all of
 //               it scaled so that 95 % of the ellipses hold the truth (calibration.hpp)
 #pragma once
@@ -48,6 +48,6 @@ class Predictor {
 };
 
 /// Covariance of the position `t` [s] ahead.
-Eigen::Matrix2d predicted_covariance(const TrackedPerson& person, double t);
+Eigen::Matrix2d predicted_covariance(const TrackedPerson& person, double t, const PredictionOptions& options);
 
 }  // namespace bw::people

@@ -32,10 +32,12 @@ std::vector<std::vector<PredictedPosition>> predictions_of(Predictor& predictor,
   return predictions;
 }
 
-// p + v t; (0.01 + 0.04 t^2) I, and 0.04 t^3 / 3 more on both axes, by hand at t = 2 s.
+// p + v t; (0.01 + 0.04 t^2) I, and q t^3 / 3 more along and across the path, by hand at t = 2 s.
 TEST(Prediction, KeepsTheVelocity) {
   PredictionOptions options;
   options.horizon = 2.0;
+  options.spread_along = 0.3;
+  options.spread_across = 0.15;
   Predictor predictor(options);
   const auto predictions = predictions_of(predictor, {walker(1, {1.0, 2.0}, {0.0, 1.0})}, {}, kNow);
   ASSERT_EQ(predictions.size(), 1U);
@@ -43,8 +45,8 @@ TEST(Prediction, KeepsTheVelocity) {
   const PredictedPosition& last = predictions[0].back();
   EXPECT_DOUBLE_EQ(last.time, 2.0);
   EXPECT_NEAR((last.position - Vector2(1.0, 4.0)).norm(), 0.0, 1e-12);
-  EXPECT_NEAR(last.covariance(0, 0), 0.01 + 0.16 + 0.04 * 8.0 / 3.0, 1e-12);
-  EXPECT_NEAR(last.covariance(1, 1), 0.01 + 0.16 + 0.04 * 8.0 / 3.0, 1e-12);
+  EXPECT_NEAR(last.covariance(0, 0), 0.01 + 0.16 + 0.15 * 8.0 / 3.0, 1e-12);  // across
+  EXPECT_NEAR(last.covariance(1, 1), 0.01 + 0.16 + 0.30 * 8.0 / 3.0, 1e-12);  // along
   EXPECT_NEAR(last.covariance(0, 1), 0.0, 1e-12);
 }
 
@@ -144,8 +146,7 @@ TEST(Prediction, EllipsesGrowAndShrinkToHoldTheirShare) {
   }
 }
 
-// Reference: the constant-velocity Kalman figures of experiments/protocols.md 8.7, printed with two digits. That filter's
-// own covariance is of 0.3 m^2/s^3 where people have 0.04, so that ellipses hold up to 0.993 on hotel.
+// Reference: the constant-velocity Kalman figures of experiments/protocols.md 8.7, printed with two digits.
 TEST(Prediction, IsAsGoodAsTheReferenceOnRecordedPeopleAndCalibrated) {
   const char* shared = std::getenv("BANDWAGON_SHARED");
   if (shared == nullptr) GTEST_SKIP() << "BANDWAGON_SHARED is not set: no recorded people";
@@ -160,7 +161,7 @@ TEST(Prediction, IsAsGoodAsTheReferenceOnRecordedPeopleAndCalibrated) {
     for (std::size_t h = 0; h < kScoredHorizons.size(); ++h) {
       EXPECT_LE(score.mean_error[h], errors[h] + 0.005) << name << " at " << kScoredHorizons[h];
       EXPECT_GE(score.inside_95[h], 0.90) << name << " at " << kScoredHorizons[h];
-      EXPECT_LE(score.inside_95[h], 0.995) << name << " at " << kScoredHorizons[h];
+      EXPECT_LE(score.inside_95[h], 0.98) << name << " at " << kScoredHorizons[h];
       EXPECT_GT(score.count[h], 1000) << name;
     }
   }
