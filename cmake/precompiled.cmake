@@ -45,15 +45,6 @@ function(bw_precompiled target name)
   endif()
 endfunction()
 
-# bw_precompiled_program(<target> <libraries>): of a test or benchmark, by what it links.
-function(bw_precompiled_program target libraries)
-  if("${libraries}" MATCHES "bandwagon_runtime|bw_component_")
-    bw_precompiled(${target} test_component)
-  else()
-    bw_precompiled(${target} test)
-  endif()
-endfunction()
-
 bw_precompiled_set(plain OBJECT HEADERS ${bw_plain_headers})
 bw_precompiled_set(plain_checked OBJECT HEADERS ${bw_plain_headers} CHECKED)
 bw_precompiled_set(tool OBJECT HEADERS ${bw_plain_headers} <nlohmann/json.hpp> LINK nlohmann_json::nlohmann_json)
