@@ -32,7 +32,11 @@ nav_msgs::msg::Path to_timed_path(const std::string& frame, Time now,
 void LocalPlannerComponent::publish(const Tick& tick, const PlanningProblem& problem,
                                     const PlanningResult& result) {
   const bool idle = task_.mode == bandwagon_msgs::msg::FollowRequest_Constants::STOP;
-  if (!idle && result.brakes_hard) brake_hard_.publish({});  // first, so that the command is reached so
+  std_msgs::msg::Bool brake_hard;
+  brake_hard.data(!idle && result.brakes_hard);
+  if (brake_hard.data() || was_hard_)
+    brake_hard_.publish(brake_hard);  // first, so that the command is reached so
+  was_hard_ = brake_hard.data();
   if (!(idle && at_rest_)) command_.publish(result.command, tick.now);
   commanded_ = result.command.v;
   at_rest_ = idle && (at_rest_ || result.command == Twist2{});

@@ -46,7 +46,7 @@ void LocalPlannerComponent::configure(Setup& setup) {
       "follow_request", Qos::standard(), [this](const auto& request, const Tick&) { on_request(request); },
       Need::optional);
   command_.offer(setup, "cmd_vel_nav", is_stamped(parameters_.enable_stamped_cmd_vel, setup.ros_distro()));
-  brake_hard_ = setup.output<std_msgs::msg::Empty>("brake_hard");
+  brake_hard_ = setup.output<std_msgs::msg::Bool>("brake_hard");
   status_ = setup.output<bandwagon_msgs::msg::FollowStatus>("follow_status");
   cycle_ = setup.output<bandwagon_msgs::msg::PlannerCycle>("local_planner_cycle");
   trajectory_ = setup.output<nav_msgs::msg::Path>("local_plan");

@@ -11,7 +11,7 @@
 #include <bandwagon_msgs/msg/follow_status.hpp>
 #include <bandwagon_msgs/msg/planner_cycle.hpp>
 #include <nav_msgs/msg/path.hpp>
-#include <std_msgs/msg/empty.hpp>
+#include <std_msgs/msg/bool.hpp>
 #include <visualization_msgs/msg/marker_array.hpp>
 
 #include "components/local_planner/adaptor/cycle_watch.hpp"
@@ -83,7 +83,7 @@ class LocalPlannerComponent final : public Component {
   BaseStopSource base_;
   FollowPathServer follow_path_;
   VelocityOutput command_;
-  Output<std_msgs::msg::Empty> brake_hard_;
+  Output<std_msgs::msg::Bool> brake_hard_;
   Output<bandwagon_msgs::msg::FollowStatus> status_;
   Output<bandwagon_msgs::msg::PlannerCycle> cycle_;
   Output<nav_msgs::msg::Path> trajectory_;
@@ -93,6 +93,7 @@ class LocalPlannerComponent final : public Component {
   PlanningStatus last_status_ = PlanningStatus::ok;
   BackwardSpeed backward_;
   double commanded_ = 0.0;  ///< speed of the last command [m/s]
+  bool was_hard_ = false;   ///< brake_hard was told last
 };
 
 }  // namespace bw

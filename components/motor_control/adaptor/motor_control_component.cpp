@@ -3,7 +3,8 @@
 #include <string>
 
 #include <geometry_msgs/msg/twist.hpp>
-#include <std_msgs/msg/empty.hpp>
+#include <nav2_msgs/msg/collision_monitor_state.hpp>
+#include <std_msgs/msg/bool.hpp>
 
 #include "components/messages/geometry.hpp"
 #include "components/messages/speed_limit.hpp"
@@ -14,7 +15,7 @@
 namespace bw {
 namespace {
 
-/// As long as `brake_hard` counts: planner and monitor say it in each of their cycles.
+/// As long as a planner counts that said `brake_hard`: it says so in each of its cycles.
 constexpr Duration kHardFor = Duration::milliseconds(300);
 
 struct MotorControlOptions : LimiterOptions {
@@ -48,8 +49,18 @@ class MotorControlComponent final : public Component {
     setup.input<geometry_msgs::msg::Twist>(
         "cmd_vel", Qos::command(),
         [this](const auto& message, const Tick& tick) { limiter_->command(tick.now, from_twist(message)); });
-    setup.input<std_msgs::msg::Empty>(
-        "brake_hard", Qos::standard(), [this](const auto&, const Tick& tick) { hard_at_ = tick.now; },
+    namespace monitor = nav2_msgs::msg::CollisionMonitorState_Constants;
+    setup.input<nav2_msgs::msg::CollisionMonitorState>(
+        "collision_monitor_state", Qos::standard(),
+        [this](const auto& message, const Tick&) {
+          monitor_acts_ = message.action_type() != monitor::DO_NOTHING;
+        },
+        Need::optional);
+    setup.input<std_msgs::msg::Bool>(
+        "brake_hard", Qos::standard(),
+        [this](const auto& message, const Tick& tick) {
+          hard_at_ = message.data() ? std::optional(tick.now) : std::nullopt;
+        },
         Need::optional);
     speed_.listen(setup, robot_.limits);
     setup.every(Duration::seconds(1.0 / options.rate), "wheel_commands",
@@ -67,7 +78,7 @@ class MotorControlComponent final : public Component {
 
   void step(const Tick& tick) {
     limiter_->allow(speed_.limits());
-    limiter_->set_braking(is_told_hard(tick.now) ? Braking::hard : Braking::smooth);
+    limiter_->set_braking(monitor_acts_ || is_told_hard(tick.now) ? Braking::hard : Braking::smooth);
     const LimitedTwist limited =
         tick.health == Health::stop ? limiter_->stop(tick.now) : limiter_->step(tick.now);
     if (limited.state != state_) report(limited);
@@ -99,7 +110,8 @@ class MotorControlComponent final : public Component {
   LimitedSpeed speed_;
   std::optional<VelocityLimiter> limiter_;
   LimiterState state_ = LimiterState::waiting;
-  std::optional<Time> hard_at_;  ///< when somebody asked for hard braking last
+  bool monitor_acts_ = false;
+  std::optional<Time> hard_at_;  ///< when whoever plans asked for hard braking last
   Twist2 last_;
   Failsafe silent_, unusable_;
   Logger log_;

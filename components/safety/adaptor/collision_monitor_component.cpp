@@ -55,7 +55,6 @@ class CollisionMonitorComponent final : public Component {
     command_.offer(setup, "cmd_vel", stamped);
     declare_failsafes(setup);
     state_ = setup.output<nav2_msgs::msg::CollisionMonitorState>("collision_monitor_state");
-    brake_hard_ = setup.output<std_msgs::msg::Empty>("brake_hard");
     markers_ = setup.output<visualization_msgs::msg::MarkerArray>("collision_monitor_markers");
     setup.input<sensor_msgs::msg::LaserScan>(
         "scan", Qos::sensor(), [this](const auto& message, const Tick& tick) { on_scan(message, tick); });
@@ -160,13 +159,12 @@ class CollisionMonitorComponent final : public Component {
     }
   }
 
-  /// How to brake goes first, so that the command is reached so.
+  /// The state goes first: motor_control brakes by it.
   void publish(const Verdict& verdict, Time now) {
     nav2_msgs::msg::CollisionMonitorState state;
     state.action_type(static_cast<std::uint8_t>(verdict.action));
     state.polygon_name(std::string(verdict.cause));
     state_.publish(state);
-    if (verdict.action != Action::do_nothing) brake_hard_.publish({});
     command_.publish(verdict.allowed, now);
   }
 
@@ -229,7 +227,6 @@ class CollisionMonitorComponent final : public Component {
   DiagnosticReporter* diagnostics_ = nullptr;
   VelocityOutput command_;
   Output<nav2_msgs::msg::CollisionMonitorState> state_;
-  Output<std_msgs::msg::Empty> brake_hard_;
   Output<visualization_msgs::msg::MarkerArray> markers_;
 };
 

@@ -18,7 +18,7 @@
 #include <nav2_msgs/msg/speed_limit.hpp>
 #include <nav_msgs/msg/odometry.hpp>
 #include <nav_msgs/msg/path.hpp>
-#include <std_msgs/msg/empty.hpp>
+#include <std_msgs/msg/bool.hpp>
 #include <tf2_msgs/msg/tf_message.hpp>
 #include <visualization_msgs/msg/marker_array.hpp>
 
@@ -56,7 +56,7 @@ struct Neighbours {
   Pose2 X_MB = kStart;
   Twist2 twist;
   std::vector<std::pair<double, Twist2>> commands;  ///< [s] since the start
-  double brakes_hard = -1.0;                        ///< [s] when it was told last
+  std::vector<bool> brakes_hard;                    ///< as it was told
   std::vector<FollowStatus> statuses;
   std::vector<PlannerCycle> cycles;
   nav_msgs::msg::Path plan;
@@ -71,10 +71,9 @@ struct Neighbours {
                                              twist = from_twist(m);
                                              commands.emplace_back(seconds_since_start(tick.now), twist);
                                            });
-    setup.input<std_msgs::msg::Empty>(
+    setup.input<std_msgs::msg::Bool>(
         "brake_hard", Qos::standard(50),
-        [this](const auto&, const Tick& tick) { brakes_hard = seconds_since_start(tick.now); },
-        Need::optional);
+        [this](const auto& m, const Tick&) { brakes_hard.push_back(m.data()); }, Need::optional);
     setup.input<FollowStatus>("follow_status", Qos::standard(50),
                               [this](const auto& m, const Tick&) { statuses.push_back(m); });
     setup.input<PlannerCycle>("local_planner_cycle", Qos::standard(50),

@@ -3,7 +3,7 @@
 #include <geometry_msgs/msg/twist.hpp>
 #include <gtest/gtest.h>
 #include <nav2_msgs/msg/speed_limit.hpp>
-#include <std_msgs/msg/empty.hpp>
+#include <std_msgs/msg/bool.hpp>
 
 #include "components/messages/geometry.hpp"
 #include "components/messages/wheel_joints.hpp"
@@ -60,9 +60,9 @@ TEST(MotorControlComponent, ReachesTheCommandAndStopsWhenCommandsStop) {
 }
 
 // From 0.8 m/s to rest, commanded at 2 s and heard at the next step: within acc_max 1 m/s^2 and the jerk limit
-// more than 0.8 s; where planner or monitor say that they reckon with stop_deceleration, 2 m/s^2, 0.4 s. 0.3 s after it
+// more than 0.8 s; where the planner says that it reckoned with stop_deceleration, 2 m/s^2, 0.4 s. 0.3 s after it
 // was last said it does not count: what is left is braked smoothly.
-TEST(MotorControlComponent, BrakesHardAsLongAsSomebodySaysSo) {
+TEST(MotorControlComponent, BrakesHardAsLongAsThePlannerSaysSo) {
   const auto brake = [](double said_until) {
     std::vector<double> list;
     run_with_script("components: {motor_control: {}}", 4.0, [&](bw::Setup& setup) {
@@ -73,9 +73,13 @@ TEST(MotorControlComponent, BrakesHardAsLongAsSomebodySaysSo) {
           });
       setup.every(Duration::milliseconds(100), "wish",
                   [said_until, out = setup.command<geometry_msgs::msg::Twist>("cmd_vel"),
-                   hard = setup.output<std_msgs::msg::Empty>("brake_hard")](const Tick& tick) mutable {
+                   hard = setup.output<std_msgs::msg::Bool>("brake_hard")](const Tick& tick) mutable {
                     const double t = seconds_since_start(tick.now);
-                    if (t > 1.95 && t < said_until) hard.publish({});
+                    if (t > 1.95 && t < said_until) {
+                      std_msgs::msg::Bool message;
+                      message.data(true);
+                      hard.publish(message);
+                    }
                     out.publish(to_twist_message({t < 1.95 ? 0.8 : 0.0, 0.0}));
                   });
     });

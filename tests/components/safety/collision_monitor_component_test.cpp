@@ -53,7 +53,6 @@ struct Given {
 struct Drive {
   std::vector<Given> commands;                               ///< on cmd_vel
   std::vector<std::pair<std::uint8_t, std::string>> states;  ///< one for each command
-  std::ptrdiff_t hard = 0;                                   ///< how often brake_hard was said
   std::size_t markers = 0;
 
   Given at(double t) const {
@@ -80,8 +79,6 @@ Drive run(double seconds, double speed, const std::function<std::optional<Twist2
     setup.input<nav2_msgs::msg::CollisionMonitorState>(
         "collision_monitor_state", Qos::standard(50),
         [&](const auto& m, const Tick&) { drive.states.emplace_back(m.action_type(), m.polygon_name()); });
-    setup.input<std_msgs::msg::Empty>(
-        "brake_hard", Qos::standard(50), [&](const auto&, const Tick&) { ++drive.hard; }, Need::optional);
     setup.input<visualization_msgs::msg::MarkerArray>(
         "collision_monitor_markers", Qos::standard(),
         [&](const auto& m, const Tick&) { drive.markers += m.markers().size(); });
@@ -107,7 +104,6 @@ Drive run(double seconds, double speed, const std::function<std::optional<Twist2
                   if (std::abs(seconds_since_start(tick.now) - reset_at) < 0.05) out.publish({});
                 });
   });
-  EXPECT_EQ(drive.hard, std::ranges::count_if(drive.states, [](const auto& one) { return one.first != 0; }));
   return drive;
 }
 
