@@ -7,8 +7,8 @@
 #   - Eigen and Ceres, and zlib for its checksums;
 #   - the ground floor (runtime/base) and other algorithms of components/.
 # So no DDS, no message class, no YAML, no logging, no thread, no clock. What Eigen or Ceres include for themselves is their affair.
-# Which files are reached is what the compiler says (-H), for the sources of the TARGETs (those of bw_algorithm) and for each header
-# by itself. A folder says what is no algorithm: adaptor/, files/, messages/, program/ and lab/ (cmake/bandwagon.cmake).
+# Which files are reached is what the compiler says (-H), for the sources of the TARGETs (those of bw_algorithm) and for a source that
+# includes every header. A folder says what is no algorithm: adaptor/, files/, messages/, program/ and lab/ (cmake/bandwagon.cmake).
 set -euo pipefail
 root=$1
 commands=$2
@@ -31,19 +31,19 @@ for target in "$@"; do
 done
 any=$(sed -E '1!d; s/ [^ ]+\.c(pp|xx)$//' "$scratch/commands")
 (cd "$root" && find components runtime/base -name '*.hpp') | { grep -Ev "$not_pure" || true; } |
-  while read -r header; do echo "$any -include $root/$header -x c++ /dev/null"; done >>"$scratch/commands"
+  sed "s|.*|#include \"$root/&\"|" >"$scratch/headers.cpp"
+echo "$any $scratch/headers.cpp" >>"$scratch/commands"
 
 # Lines "FILE<tab>CHAIN": every file of the project that is reached, and how.
 while read -r command; do
   start=${command##* }
-  [[ $command =~ -include\ ([^ ]+) ]] && start=${BASH_REMATCH[1]}
   if ! bash -c "$command" 2>"$scratch/tree"; then
     grep -v '^\.' "$scratch/tree" >>"$scratch/refused"
   fi
   awk -v root="$root/" -v start="$start" '
     function short(path) { return substr(path, length(root) + 1) }
-    # A unity source is no file of the project: its sources are where chains begin.
-    BEGIN { if (start !~ /\/Unity\//) { chain[0] = short(start); print chain[0] "\t" chain[0] } }
+    # A unity source and the one of headers are no files of the project: what they include is where chains begin.
+    BEGIN { if (index(start, root) == 1 && start !~ /\/Unity\//) { chain[0] = short(start); print chain[0] "\t" chain[0] } }
     /^\.+ / {
       depth = length($1)
       ours = index($2, root) == 1
