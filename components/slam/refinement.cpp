@@ -108,8 +108,7 @@ Refined refine(const SurfaceMap& map, std::span<const SurfacePoint> points, cons
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(position);
     if (eigen.eigenvalues()(0) < kUnseen * eigen.eigenvalues()(1)) {
       result.unseen = eigen.eigenvectors().col(0);
-      Eigen::Matrix3d P = Eigen::Matrix3d::Identity();
-      P.topLeftCorner<2, 2>() -= result.unseen * result.unseen.transpose();
+      const Eigen::Matrix3d P = projection_without(result.unseen);
       H = P * H * P;
       b = P * b;
     }

@@ -9,6 +9,13 @@
 
 namespace bw::slam {
 
+/// Of (x, y, theta): takes away what is told along `u`, a unit vector.
+inline Eigen::Matrix3d projection_without(const Vector2& u) {
+  Eigen::Matrix3d P = Eigen::Matrix3d::Identity();
+  P.topLeftCorner<2, 2>() -= u * u.transpose();
+  return P;
+}
+
 struct Refined {
   Pose2 X;  ///< of what the points are in, in the submap
   /// What the scan alone says of (x, y, theta), in the submap's axes; directions it does not see are left
@@ -22,8 +29,7 @@ struct Refined {
 
   /// Along `u`, a unit vector, it says nothing.
   void hide(const Vector2& u) {
-    Eigen::Matrix3d P = Eigen::Matrix3d::Identity();
-    P.topLeftCorner<2, 2>() -= u * u.transpose();
+    const Eigen::Matrix3d P = projection_without(u);
     information = P * information * P;
     unseen = u;
   }
