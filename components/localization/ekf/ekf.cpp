@@ -132,7 +132,7 @@ Estimate Ekf::estimate_at(Time time) const {
   estimate.time = reached;
   estimate.X_MB = at.X_MB;
   estimate.twist = state.twist;
-  const Eigen::Matrix3d C = at.by_pose * honest_covariance(state) * at.by_pose.transpose();
+  const Eigen::Matrix3d C = at.by_pose * mixture_covariance(state) * at.by_pose.transpose();
   estimate.covariance = 0.5 * (C + C.transpose());
   estimate.covariance.diagonal() +=
       Eigen::Vector3d(at.position_variance, at.position_variance, at.heading_variance);

@@ -59,7 +59,7 @@ void correct_heading(EkfState& state, int source, Time time) {
   state.reset_source = source;
 }
 
-Eigen::Matrix3d honest_covariance(const EkfState& state) {
+Eigen::Matrix3d mixture_covariance(const EkfState& state) {
   const Eigen::Vector3d error = state.doubt.error.head<3>();
   return state.P.topLeftCorner<3, 3>() + state.doubt.probability() * error * error.transpose();
 }

@@ -31,8 +31,9 @@ bool doubt_heading(EkfState& state, int source, Time time, const Innovation<kSta
 /// Puts the estimate where the compass says, and leaves the gyro out for a while.
 void correct_heading(EkfState& state, int source, Time time);
 
-/// Covariance of (x, y, theta), of both hypotheses together while nobody knows which.
-Eigen::Matrix3d honest_covariance(const EkfState& state);
+/// Second moment of (x, y, theta) about the estimate of the mixture of both hypotheses: P + p error error^T, p the
+/// probability that the compass is right.
+Eigen::Matrix3d mixture_covariance(const EkfState& state);
 
 /// Evidence of a measurement that is no compass, `passes` the gate or not. Call it before the correction.
 template <int N>

@@ -65,9 +65,9 @@ Errors follow(const DriveOptions& options, const SenseFault& fault) {
 
 class EkfDoubt : public ::testing::TestWithParam<SenseFault> {};
 
-// While wheels and gyro leave it open who failed, the fixes have to tell, and that takes some seconds: at most
-// 2.5 times the error without the fault, where it was 2 to 45 times; and said: a mean NEES of 3 values within
-// 20, where it was 180 to 4400. A compass that is disturbed alone costs nothing, as ever.
+// While wheels and gyro leave it open who failed, the fixes have to tell, and that takes some seconds. The bounds are
+// what was reached, with some room, and no closed form: of a failing gyro 2.5 times the error without the fault and a
+// mean NEES of 20 (of 3 values: 3 would be consistent); of a compass that is disturbed alone 1.1 times and 4.5.
 TEST_P(EkfDoubt, IsFoundOrSaid) {
   double clean = 0.0, failing = 0.0, nees = 0.0;
   constexpr int kRuns = 10;
