@@ -5,8 +5,7 @@
 
 #include "components/localization/ekf/heading_doubt.hpp"
 #include "components/localization/ekf/slip.hpp"
-#include "components/localization/estimate.hpp"
-#include "components/model/chi_square.hpp"
+#include "components/model/principal_deviations.hpp"
 
 namespace bw::localization {
 namespace {
@@ -21,9 +20,8 @@ class Assessment {
   }
 
   void uncertainty() {
-    const Eigen::Matrix3d P = honest_covariance(state_);
-    const Vector2 axes = ellipse_95(P.topLeftCorner<2, 2>());
-    health_.two_sigma = 2.0 * axes.x() / std::sqrt(chi_square_quantile(0.95, 2));
+    const Eigen::Matrix3d P = mixture_covariance(state_);
+    health_.two_sigma = 2.0 * principal_deviations(P.topLeftCorner<2, 2>()).x();
     health_.heading_sigma = std::sqrt(std::max(0.0, P(2, 2)));
     const HealthOptions& limits = options_.health;
     if (health_.two_sigma > limits.kDegradedShare * limits.lost_two_sigma) {

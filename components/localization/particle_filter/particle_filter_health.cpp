@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "components/localization/particle_filter/particle_filter.hpp"
-#include "components/model/chi_square.hpp"
+#include "components/model/principal_deviations.hpp"
 
 namespace bw::localization {
 namespace {
@@ -23,8 +23,7 @@ struct Report {
 
 void judge_spread(Report& report, const Eigen::Matrix3d& C, const HealthOptions& limits) {
   Health& health = report.health;
-  const Vector2 axes = ellipse_95(C.topLeftCorner<2, 2>());
-  health.two_sigma = 2.0 * axes.x() / std::sqrt(chi_square_quantile(0.95, 2));
+  health.two_sigma = 2.0 * principal_deviations(C.topLeftCorner<2, 2>()).x();
   health.heading_sigma = std::sqrt(std::max(0.0, C(2, 2)));
   if (health.two_sigma > limits.kDegradedShare * limits.lost_two_sigma) {
     report.worsen(health.two_sigma > limits.lost_two_sigma ? HealthState::lost : HealthState::degraded,

@@ -1,22 +1,15 @@
 #include "components/navigator/adaptor/robot_situation.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "components/messages/geometry.hpp"
 #include "components/messages/planning_inputs.hpp"
+#include "components/model/principal_deviations.hpp"
 #include "components/navigator/goal_messages.hpp"
 #include "runtime/transforms/transform_tree.hpp"
 
 namespace bw {
 namespace {
-
-/// Of the position along its worst axis.
-double two_sigma(const Eigen::Matrix3d& C) {
-  const double half = (C(0, 0) - C(1, 1)) / 2.0;
-  return 2.0 * std::sqrt(std::max(0.0, (C(0, 0) + C(1, 1)) / 2.0 + std::hypot(half, C(0, 1))));
-}
 
 constexpr Duration kOldest = PlanningInputs::kTransformTolerance;
 
@@ -48,7 +41,10 @@ Situation RobotSituation::at(const Tick& tick) const {
   s.twist = from_twist(odometry_->twist().twist());
   const bool fresh = tick.now - odometry_.received() <= kOldest;
   const std::optional<Pose2> X_MB = pose(tick.now);
-  if (!by_tf_) s.two_sigma = two_sigma(planar_covariance(odometry_->pose().covariance()));
+  if (!by_tf_) {
+    const Eigen::Matrix3d C = planar_covariance(odometry_->pose().covariance());
+    s.two_sigma = 2.0 * principal_deviations(C.topLeftCorner<2, 2>()).x();
+  }
   if (fresh && tick.health != Health::stop && X_MB && is_finite(*X_MB) && is_finite(s.twist)) s.X_MB = X_MB;
   return s;
 }
