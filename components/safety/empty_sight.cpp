@@ -5,6 +5,8 @@
 #include <numbers>
 #include <optional>
 
+#include <Eigen/Dense>
+
 #include "components/model/transform2.hpp"
 
 namespace bw::safety {
@@ -24,6 +26,11 @@ constexpr Duration kStands = Duration::milliseconds(500);
 // where hits lie no farther apart than noise and the odometry of that time bring them.
 constexpr double kSame = 0.1;          // [m]
 constexpr std::ptrdiff_t kBeside = 2;  // beams
+// How odometry errs is read off surfaces so long that noise turns them little,
+constexpr std::ptrdiff_t kSurface = 5;  // beams to either side
+// against odometry, which counts as so many hits: theirs is 0.02 m of noise, its 2 mm and 2 mrad from one
+// sweep to the next.
+constexpr double kOdometry = 100.0;
 // Fewer that are lost may be of a thing that is hit now and then.
 constexpr Duration kForgets = Duration::milliseconds(5'000);
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
@@ -95,12 +102,20 @@ class Field {
 class EmptySight::Memory {
  public:
   Memory(const LaserSweep& sweep, const Pose2& X_OB, const CheckedSweep& checked)
-      : sweep_(sweep), X_OB_(X_OB), checked_(checked), field_(sweep, X_OB) {}
+      : sweep_(sweep), X_OB_(X_OB), checked_(checked), field_(sweep, X_OB), hits_(beams()) {
+    const Transform2 to_odom(X_OB);
+    for (std::size_t i = 0; i < beams(); ++i) {
+      if (!is_hit(i)) continue;
+      const double angle = sweep.angle_min + static_cast<double>(i) * sweep.angle_increment;
+      hits_[i] = to_odom * (scanner_at(sweep, i) * (static_cast<double>(sweep.ranges[i]) * direction(angle)));
+    }
+  }
 
   /// Keeps of `points` what is seen again, and what is lost; adds what is seen anew.
   void follow(std::vector<TrackedPoint>& points) const {
     const std::vector<std::size_t> hits_around = count([&](std::size_t i) { return is_hit(i); });
     std::erase_if(points, [&](TrackedPoint& point) { return !keeps(point, hits_around); });
+    align(points);
     const std::vector<TrackedPoint> seen = anew(points);
     points.insert(points.end(), seen.begin(), seen.end());
     const auto moved = around(points, [&](const TrackedPoint& point) {
@@ -168,7 +183,8 @@ class EmptySight::Memory {
       if (!near || !is_hit(*near)) continue;
       is_another = true;
       if (std::abs(sweep_.ranges[*near] - field_.distance(point.position)) > kSame) continue;
-      if (point.lost_at) point = {point.position, *beam, sweep_.time, {}, false};  // of another thing, maybe
+      if (point.lost_at)
+        point = {point.position, *beam, sweep_.time, point.is_narrow};  // of another thing, maybe
       return true;
     }
     if (is_another) return false;
@@ -177,6 +193,37 @@ class EmptySight::Memory {
     if (!point.lost_at && !stands && hits_around[*beam] > 0) return false;
     if (!point.lost_at) point.lost_at = sweep_.time;
     return true;
+  }
+
+  /// Across the surface that a beam hits in the midst of others, in odom; none at an edge.
+  std::optional<Vector2> normal(std::size_t beam) const {
+    const auto before = field_.beside(beam, -kSurface);
+    const auto after = field_.beside(beam, kSurface);
+    if (!before || !after || !is_hit(beam) || !is_hit(*before) || !is_hit(*after)) return std::nullopt;
+    const Vector2& a = hits_[*before];
+    const Vector2& b = hits_[*after];
+    if ((hits_[beam] - 0.5 * (a + b)).norm() > kSame) return std::nullopt;
+    return Vector2(a.y() - b.y(), b.x() - a.x()).normalized();
+  }
+
+  /// Moves all points, lost ones too, by as much as odometry erred: so that those which are seen again lie on
+  /// the surfaces that the sweep hits (one step of point to line; Censi, ICRA 2008). A cover moves no hit.
+  void align(std::vector<TrackedPoint>& points) const {
+    const Vector2 laser = (X_OB_ * sweep_.X_FL).position();
+    Eigen::Matrix3d information = kOdometry * Eigen::Matrix3d::Identity();
+    Eigen::Vector3d pull = Eigen::Vector3d::Zero();  // x, y, rotation about the laser
+    for (const TrackedPoint& point : points) {
+      const auto across = point.is_narrow ? std::nullopt : normal(point.beam);
+      if (!across) continue;
+      const double miss = across->dot(hits_[point.beam] - point.position);
+      if (std::abs(miss) > kSame) continue;
+      const Eigen::Vector3d row(across->x(), across->y(), cross(point.position - laser, *across));
+      information += row * row.transpose();
+      pull += miss * row;
+    }
+    const Eigen::Vector3d error = information.ldlt().solve(pull);
+    const Transform2 moved({laser.x() + error.x(), laser.y() + error.y(), error.z()});
+    for (TrackedPoint& point : points) point.position = moved * (point.position - laser);
   }
 
   /// Of beams that no point tells of; one right beside a point is of the same thing.
@@ -192,7 +239,7 @@ class EmptySight::Memory {
       const Vector2 position = X_OB_ * point.position;
       const auto beam = field_.lasting(position);
       if (!beam || since[*beam]) continue;
-      TrackedPoint fresh{position, *beam, sweep_.time, {}, false};
+      TrackedPoint fresh{position, *beam, sweep_.time, point.is_narrow};
       for (const std::ptrdiff_t offset : {-1, 1})
         if (const auto near = field_.beside(*beam, offset); near && since[*near])
           fresh.since = std::min(fresh.since, *since[*near]);
@@ -205,6 +252,7 @@ class EmptySight::Memory {
   const Pose2& X_OB_;
   const CheckedSweep& checked_;
   Field field_;
+  std::vector<Vector2> hits_;  ///< of beams that hit, in odom
 };
 
 bool EmptySight::believes(const LaserSweep& sweep, const Pose2& X_OB, CheckedSweep& checked) {

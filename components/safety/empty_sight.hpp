@@ -11,6 +11,10 @@
 // to 0.3 rad aside. As many as appear anew within 0.3 rad are those that moved. Where more are gone, free
 // beams are dark, until something is hit there again, or the point has left the middle of the field or its
 // range.
+//
+// Odometry errs meanwhile, and turns what stood past the end of a wall, where beams are free. So all points
+// follow the surfaces that are still hit: a cover hides hits, and moves none. What odometry errs along walls
+// that are all parallel stays; narrow things tell nothing, as they may walk.
 #pragma once
 
 #include <cstddef>
@@ -41,9 +45,10 @@ class EmptySight {
   std::int64_t min_returns_;
   /// Of a point that the next sweep must still show.
   struct TrackedPoint {
-    Vector2 position{0.0, 0.0};   ///< in odom
+    Vector2 position{0.0, 0.0};   ///< in odom as it is now
     std::size_t beam = 0;         ///< of the newest sweep, that looks there
     Time since;                   ///< hit there
+    bool is_narrow = false;       ///< of a thing that may walk
     std::optional<Time> lost_at;  ///< where free beams are now
     bool is_missed = false;       ///< with so many that something was there
   };

@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nav2_msgs/action/follow_path.hpp>
+#include <nav2_msgs/msg/collision_monitor_state.hpp>
 
 #include "components/messages/geometry.hpp"
 #include "components/messages/nav2_goals.hpp"
@@ -31,6 +32,7 @@ template <class Action>
 struct Hallway {
   SentGoals<Action> goals;
   std::vector<Pose2> truth;
+  int crept = 0;  ///< commands that were limited because something is not seen
 
   void go(const std::string& action, const typename Action::Goal& goal, double seconds) {
     Graph graph = load_graph(std::string(BANDWAGON_SOURCE_DIR) + "/config/graphs/hallway.yaml",
@@ -42,6 +44,9 @@ struct Hallway {
                        setup.input<bandwagon_msgs::msg::GroundTruth>(
                            "sim/ground_truth", Qos::standard(),
                            [this](const auto& m, const Tick&) { truth.push_back(from_pose(m.pose())); });
+                       setup.input<nav2_msgs::msg::CollisionMonitorState>(
+                           "collision_monitor_state", Qos::standard(),
+                           [this](const auto& m, const Tick&) { crept += m.polygon_name() == "sight"; });
                        at_times(setup, {{3.0, [this, goal] { goals.send(goal); }}});
                      })});
     Host host(std::move(graph), {.clock = ClockMode::lockstep}, std::move(extra));
@@ -65,6 +70,7 @@ TEST(FoldedPaths, AreDrivenOutAndBackByFollowPath) {
     EXPECT_GE(farthest, 3.0 + d - 0.25 - kBelief) << d;
     EXPECT_LE(farthest, 3.0 + d + 0.25 + kBelief) << d;
     EXPECT_LT((hallway.truth.back().position() - Vector2(2, 0)).norm(), 0.25 + kBelief) << d;
+    EXPECT_EQ(hallway.crept, 0) << d << ": odometry turns the walls' ends, and nothing is covered";
     std::cout << "d " << d << ": farthest " << farthest - 3.0 << " m, " << sent.ended_at - 3.0 << " s\n";
   }
 }

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "components/model/random.hpp"
 #include "tests/components/safety/sweeps.hpp"
 
 namespace bw::safety {
@@ -136,6 +137,90 @@ TEST(EmptySight, AHandThatSlidesOverTheLaserIsDarkHoweverSlow) {
       }
     }
     EXPECT_EQ(dark(sight, at(0.1 * step, sweep_of({}, 3.3F))), 0);
+  }
+}
+
+/// Along y = 0 and past straight walls that end, while odometry errs: it measures v (1 + scale), and rotates
+/// by `drift` [rad/s] and `slip` of what the robot rotates, on an arc in closed form.
+struct Drive {
+  std::vector<double> walls;  // [m] their y; each from x = -8 to 2
+  double x = 0.0;             // [m] at the start
+  double v = 0.0;             // [m/s]
+  double omega = 0.0;         // [rad/s]
+  double drift = 0.01;
+  double slip = 0.0;
+  double scale = 0.0;
+
+  Pose2 truth(double t) const { return arc(v, omega, t, x); }
+  Pose2 odometry(double t) const { return arc(v * (1.0 + scale), omega * (1.0 + slip) + drift, t, 0.0); }
+  /// Beams from `from` to `to` [rad, laser] are covered.
+  Sweep sweep(double t, Random& random, double from = 0.0, double to = 0.0) const {
+    const Pose2 X_WB = truth(t);
+    Sweep sweep = sweep_of({}, kInfinity);
+    for (std::size_t i = 0; i < sweep.ranges.size(); ++i) {
+      const double angle = sweep.angle_min + sweep.angle_increment * static_cast<double>(i);
+      const Vector2 beam = direction(angle + X_WB.theta);
+      for (const double y : walls) {
+        const double range = (y - X_WB.y) / beam.y();
+        const double end = X_WB.x + range * beam.x();
+        if (range > 0.0 && range < sweep.range_max && end > -8.0 && end < 2.0)
+          sweep.ranges[i] = static_cast<float>(range + 0.01 * random.normal());
+      }
+      if (angle >= from && angle < to) sweep.ranges[i] = kInfinity;
+    }
+    return at(t, sweep);
+  }
+
+ private:
+  static Pose2 arc(double v, double omega, double t, double x) {
+    const double theta = omega * t;
+    if (omega == 0.0) return {x + v * t, 0.0, 0.0};
+    return {x + v / omega * std::sin(theta), v / omega * (1.0 - std::cos(theta)), theta};
+  }
+};
+
+// Odometry of wheels that differ by 0.4 % rotates by 0.01 rad/s at 1 m/s, 0.08 rad in 8 s: twelve beams, all
+// of which look past the end of the wall at what stood there. No cover: what is left of the wall has turned
+// as well. Towards the end, away from it, at rest, and on the spot with wheels that slip by 5 %.
+TEST(EmptySight, AWallsEndIsNotDarkThoughOdometryTurnsAway) {
+  const std::vector<double> hall = {-3.0, 3.0};
+  for (const Drive& drive :
+       {Drive{hall, -6.0, 1.0}, Drive{hall, -6.0, 1.0, 0.0, -0.01}, Drive{{3.0}, -6.0, 1.0, 0.0, -0.01},
+        Drive{{3.0}, -6.0, 1.0}, Drive{hall, -1.5}, Drive{{3.0}, -1.5}, Drive{hall, -1.5, 0.0, 0.0, -0.01},
+        Drive{hall, 1.0, -0.5}, Drive{hall, 1.0, -0.5, 0.0, -0.01}, Drive{hall, -1.5, 0.0, 0.5, 0.0, 0.05},
+        Drive{{3.0}, -1.5, 0.0, 0.5, 0.0, -0.05}}) {
+    EmptySight sight({});
+    Random random{7};
+    int i = 0;
+    while (i < 80 && dark(sight, drive.sweep(0.1 * i, random), drive.odometry(0.1 * i)) == 0) ++i;
+    EXPECT_EQ(i, 80) << drive.walls.size() << " walls, v " << drive.v << ", omega " << drive.omega
+                     << ", drift " << drive.drift;
+  }
+}
+
+// A cover slides over the same wall, from its end on or from the middle, at 0.01 rad/s, as fast as odometry
+// turns, with it or against it. Five beams that stood are gone, and two beside a hit on either side: nine;
+// noise costs three more. After twelve beams, 4.5 degrees, all of it is dark.
+TEST(EmptySight, ACoverOfAWallIsDarkThoughOdometryTurnsAsFast) {
+  for (const double drift : {0.01, -0.01}) {
+    for (const bool is_end : {true, false}) {
+      const Drive drive{{-3.0, 3.0}, -1.5, 0.0, 0.0, drift};
+      const double end = std::atan2(3.0, 3.5);  // of the wall, from (-1.5, 0) to (2, 3)
+      EmptySight sight({});
+      Random random{7};
+      int i = 0;
+      for (; i < 20; ++i) EXPECT_EQ(dark(sight, drive.sweep(0.1 * i, random), drive.odometry(0.1 * i)), 0);
+      for (int k = 0; k < 200; ++k, ++i) {
+        const double grown = 0.01 * 0.1 * k;
+        const double from = is_end ? end : end + 0.4;
+        const Sweep sweep = drive.sweep(0.1 * i, random, from, from + grown);
+        const std::ptrdiff_t seen_dark = dark(sight, sweep, drive.odometry(0.1 * i));
+        const double beams = grown / sweep.angle_increment;
+        if (beams > 12.0) {
+          ASSERT_GE(seen_dark, beams - 2.0) << is_end << " " << drift << " " << grown;
+        }
+      }
+    }
   }
 }
 
