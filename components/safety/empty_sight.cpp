@@ -150,12 +150,13 @@ class EmptySight::Memory {
     for (std::size_t i = 0; i < of.size(); ++i) of[i] = counts(i) ? 1 : 0;
     return field_.around(of);
   }
+  /// Beams that look at a point that counts; several points may be of one place.
   template <class Counts>
   std::vector<std::size_t> around(const std::vector<TrackedPoint>& points, Counts counts,
                                   double angle = kRound) const {
     std::vector<std::size_t> of(beams(), 0);
     for (const TrackedPoint& point : points)
-      if (counts(point)) ++of[point.beam];
+      if (counts(point)) of[point.beam] = 1;
     return field_.around(of, angle);
   }
 

@@ -198,6 +198,21 @@ TEST(EmptySight, AWallsEndIsNotDarkThoughOdometryTurnsAway) {
   }
 }
 
+// From (1, 0) back to (-3.5, 0): places that were beams of 3.2 m are seen from 6.3 m, several in one beam. Then
+// odometry turns by 0.022 rad at once, 3.4 beams: of the wall's end one or two beams look past it by more
+// than two, and five would be a thing.
+TEST(EmptySight, WhatIsLostCountsByBeamsHoweverManyPointsAreOfOne) {
+  for (const double turn : {0.022, -0.022}) {
+    const Drive drive{{-3.0, 3.0}, 1.0, -0.5, 0.0, 0.0};
+    EmptySight sight({});
+    Random random{7};
+    for (int i = 0; i < 92; ++i) {
+      const Pose2 X_OB = drive.odometry(0.1 * i) * Pose2{0.0, 0.0, i < 90 ? 0.0 : turn};
+      ASSERT_EQ(dark(sight, drive.sweep(0.1 * i, random), X_OB), 0) << i << ", " << turn;
+    }
+  }
+}
+
 // A cover slides over the same wall, from its end on or from the middle, at 0.01 rad/s, as fast as odometry
 // turns, with it or against it. Five beams that stood are gone, and two beside a hit on either side: nine;
 // noise costs three more. After twelve beams, 4.5 degrees, all of it is dark.
