@@ -28,9 +28,8 @@ void Calibration::expect(std::uint32_t id, Time now, const std::vector<Predicted
 
 void Calibration::observe(std::uint32_t id, Time now, const Vector2& position,
                           const Eigen::Matrix2d& covariance) {
-  const auto found = people_.find(id);
-  if (found == people_.end()) return;
-  Person& person = found->second;
+  if (rate_ <= 0.0) return;
+  Person& person = people_[id];
   const double since = person.seen == Time{} ? 0.0 : (now - person.seen).to_seconds();
   for (Expected& expected : person.expected) {
     while (expected.next < expected.predictions.size()) {

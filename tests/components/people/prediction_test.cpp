@@ -146,6 +146,18 @@ TEST(Prediction, EllipsesGrowAndShrinkToHoldTheirShare) {
   }
 }
 
+// Who comes long after the clock began is compared as well: 1 s ahead an error of 5 m, where 0.35 m are
+// claimed (0.01 + 0.04 + 0 at 1 s, 95 %: 0.55 m), enlarges the ellipse by exp(0.3 * 0.95) at once.
+TEST(Prediction, ComparesWhoComesLate) {
+  Predictor predictor({});
+  const Time late = kNow + Duration::seconds(100.0);
+  predictions_of(predictor, {walker(1, {0.0, 0.0}, {1.0, 0.0})}, {}, late);
+  predictions_of(predictor, {walker(1, {5.0, 0.0}, {1.0, 0.0})}, {}, late + Duration::seconds(0.5));
+  const auto then =
+      predictions_of(predictor, {walker(1, {5.5, 0.0}, {1.0, 0.0})}, {}, late + Duration::seconds(0.6));
+  EXPECT_NEAR(then[0][0].covariance(0, 0), (0.01 + 0.25 * 0.04) * std::exp(0.3 * 0.95), 1e-12);
+}
+
 // Reference: the constant-velocity Kalman figures of experiments/protocols.md 8.7, printed with two digits.
 TEST(Prediction, IsAsGoodAsTheReferenceOnRecordedPeopleAndCalibrated) {
   const char* shared = std::getenv("BANDWAGON_SHARED");
