@@ -5,6 +5,7 @@
 #include "components/messages/obstacles.hpp"
 #include "components/messages/placed.hpp"
 #include "components/model/sweep_motion.hpp"
+#include "components/people/adaptor/prediction_weights.hpp"
 #include "components/people/sweep_timing.hpp"
 
 namespace bw::people {
@@ -24,9 +25,9 @@ void PeopleComponent::configure(Setup& setup) {
         predictor_->set_options(changed.prediction);
         obstacles_timeout_ = changed.obstacles_timeout;
       },
-      {"scan_topics", "people_topics", "prediction.model"});
+      {"scan_topics", "people_topics", "prediction.model", "prediction.weights"});
   tracker_ = std::make_unique<Tracker>(parameters.tracker);
-  predictor_ = std::make_unique<Predictor>(parameters.prediction);
+  predictor_ = std::make_unique<Predictor>(parameters.prediction, head_of(setup, parameters.prediction));
   obstacles_timeout_ = parameters.obstacles_timeout;
   odom_frame_ = setup.frame("odom");
   base_frame_ = setup.frame("base_link");
@@ -126,6 +127,7 @@ void PeopleComponent::report_health(const Tick& tick) {
   using Level = DiagnosticReporter::Level;
   diagnostics_->set_value("refused_scans", std::to_string(lasers_.refusals()));
   diagnostics_->set_value("people", std::to_string(tracker_->people().size()));
+  diagnostics_->set_value("refused_predictions", std::to_string(predictor_->refused()));
   diagnostics_->set_value("other_clusters", std::to_string(tracker_->cluster_count()));
   const std::string lasers = lasers_.complaint(tick.now);
   const std::string others = others_.complaint(tick.now);

@@ -11,6 +11,7 @@
 #include "components/messages/geometry.hpp"
 #include "components/messages/people.hpp"
 #include "components/people/adaptor/people_message.hpp"
+#include "components/people/adaptor/prediction_weights.hpp"
 #include "components/people/heard_people.hpp"
 #include "components/people/prediction/predictor.hpp"
 #include "runtime/complaint.hpp"
@@ -54,8 +55,8 @@ class PeopleListenerComponent final : public Component {
           options_ = changed;
           predictor_->set_options(changed.prediction);
         },
-        {"prediction.model"});
-    predictor_.emplace(options_.prediction);
+        {"prediction.model", "prediction.weights"});
+    predictor_.emplace(options_.prediction, head_of(setup, options_.prediction));
     odom_frame_ = setup.frame("odom");
     transforms_ = setup.transforms();
     log_ = setup.log();

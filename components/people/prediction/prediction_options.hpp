@@ -1,22 +1,28 @@
 // Parameters of the prediction of people. Defaults: README.md says what they were measured on.
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "components/model/social_force.hpp"
 #include "runtime/base/choice.hpp"
 #include "runtime/base/field.hpp"
 
 namespace bw::people {
 
-enum class PredictionModel { constant_velocity, constant_turn_rate, social_force };
+enum class PredictionModel { constant_velocity, constant_turn_rate, social_force, learned };
 constexpr auto choice_table(PredictionModel) {
   using enum PredictionModel;
   return choices<PredictionModel>({{constant_velocity, "constant_velocity"},
                                    {constant_turn_rate, "constant_turn_rate"},
-                                   {social_force, "social_force"}});
+                                   {social_force, "social_force"},
+                                   {learned, "learned"}});
 }
 
 struct PredictionOptions {
   PredictionModel model = PredictionModel::constant_velocity;
+  /// text file of the learned head (files/head_file.hpp)
+  std::string weights;
   double horizon = 4.0;
   /// [s] time between predicted positions (set by code alone)
   double step = 0.5;
@@ -42,11 +48,20 @@ struct PredictionOptions {
       {.first = true,
        .doc = "constant_velocity: straight on; constant_turn_rate: the turn goes on and dies out; "
               "social_force: straight "
-              "on, but round one another and along walls"});
+              "on, but round one another and along walls; learned: by a net while it proves right, else as "
+              "constant_velocity"});
+    v("weights", weights, {.doc = "file of the net of the model learned"});
     v("horizon", horizon, {.unit = "s", .min = 0, .max = 20, .doc = "how far ahead positions are predicted"});
     v.retired({"step", "spread_along", "spread_across", "walking_speed", "turn_window", "turn_memory",
                "calibration_rate", "forces"},
               "a constant of prediction_options.hpp");
+  }
+
+  std::optional<std::string> violated_rule() const {
+    if (model != PredictionModel::learned) return std::nullopt;
+    if (weights.empty()) return "model learned needs weights";
+    if (horizon > 4.0) return "model learned predicts 4 s: horizon must not be above";
+    return std::nullopt;
   }
 };
 

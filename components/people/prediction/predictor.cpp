@@ -71,6 +71,7 @@ double Predictor::turn_rate(const TrackedPerson& person, Time now) {
 
 void Predictor::predict(std::vector<TrackedPerson>& people, const StaticObstacles& walls, Time now) {
   calibration_.forget(now - kForget);
+  if (learned_) learned_->forget(now - kForget);
   std::erase_if(headings_, [&](const auto& memory) { return now - memory.second.time > kForget; });
   std::vector<std::vector<Vector2>> walked;
   if (options_.model == PredictionModel::social_force) {
@@ -92,6 +93,11 @@ void Predictor::predict(std::vector<TrackedPerson>& people, const StaticObstacle
       if (!walked.empty()) position = walked[static_cast<std::size_t>(k - 1)][index];
       if (omega != 0.0) position = person.position + arc(person.velocity, omega, options_.kTurnRateMemory, t);
       predictions.push_back({t, position, predicted_covariance(person, t, options_)});
+    }
+    if (learned_ && options_.model == PredictionModel::learned && options_.step == kAheadStep) {
+      const auto by_head = learned_->predict(person, now);
+      for (std::size_t k = 0; by_head && k < std::min(predictions.size(), by_head->size()); ++k)
+        predictions[k] = (*by_head)[k];
     }
     ++index;
     calibration_.observe(person.id, now, person.position, person.covariance.topLeftCorner<2, 2>());
