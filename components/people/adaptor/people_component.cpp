@@ -133,6 +133,9 @@ void PeopleComponent::report_health(const Tick& tick) {
   const std::string others = others_.complaint(tick.now);
   if (!lasers.empty()) return diagnostics_->report(Level::error, lasers);
   if (!others.empty()) return diagnostics_->report(Level::warn, others);
+  if (predictor_->refused() > 0)
+    return diagnostics_->report(Level::warn,
+                                "learned predictions are not finite: straight on in their place");
   diagnostics_->report(Level::ok, "looking");
 }
 

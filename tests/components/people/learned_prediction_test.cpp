@@ -106,7 +106,7 @@ TEST(LearnedPrediction, IsFittedToTheSameBytes) {
   EXPECT_EQ(text_of(fit_head(samples, options)), text_of(fit_head(walk_samples(11, 3), options)));
 }
 
-// A thousand numbers less than five digits keep; what is read is what was written.
+// Five digits: what is read is written again as it was.
 TEST(LearnedPrediction, FileIsReadAsWritten) {
   const std::string text = text_of(some_weights(4));
   EXPECT_EQ(text_of(read(text)), text);
@@ -141,9 +141,9 @@ TEST(LearnedPrediction, StepsBackFromWhatIsNotFinite) {
   EXPECT_GT(prediction.refused(), 0);
 }
 
-// Predicts to stand within 0.05 m for ever (tanh of great weights is none here: all weights 0, deviations e^-3 of the unit).
-// Who goes straight on is predicted; who then turns back at once is 2 m off after 1 s, and is left to today's predictor.
-// After four right residuals, 0.5 s apart, it is trusted again.
+// Weights of 0: straight on by the last 0.8 s, deviations of the unit, at 1 s 0.14 m. Who goes straight on is predicted; who
+// turns back at once at 1 m/s is 2 m off 1 s later, a residual of (2 / 0.14)^2, and is left to today's predictor. After four
+// residuals within, 0.5 s apart, it is trusted again.
 TEST(LearnedPrediction, StepsBackFromWhoWalksOtherwise) {
   HeadWeights weights = some_weights(7);
   for (HeadLayer& layer : weights.layers) {
@@ -162,6 +162,22 @@ TEST(LearnedPrediction, StepsBackFromWhoWalksOtherwise) {
   for (int i = 40; i < 100; ++i) refused += walks(i) ? 0 : 1;
   EXPECT_GT(refused, 0);
   EXPECT_TRUE(walks(100));
+}
+
+// By the rules, and without weights by a predictor that has none: straight on.
+TEST(LearnedPrediction, NeedsWeightsAndEndsWhereTheNetDoes) {
+  PredictionOptions options;
+  EXPECT_FALSE(options.violated_rule());
+  options.model = PredictionModel::learned;
+  EXPECT_TRUE(options.violated_rule());
+  options.weights = "head.txt";
+  EXPECT_FALSE(options.violated_rule());
+  options.horizon = 4.5;
+  EXPECT_TRUE(options.violated_rule());
+  std::vector<TrackedPerson> people{somebody({0.0, 0.0}, Time::seconds(10.0))};
+  Predictor predictor(options);
+  predictor.predict(people, {}, Time::seconds(10.0));
+  EXPECT_NEAR(people[0].predictions[7].position.x(), 4.0, 1e-12);
 }
 
 TEST(LearnedPrediction, LeavesOutWhoIsNotSeen) {
