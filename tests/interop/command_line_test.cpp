@@ -72,7 +72,7 @@ TEST_F(CommandLine, DemoDrivesFromAnyFolder) {
   const Folder folder;
   const Outcome demo = bandwagon({"demo", "--no-page", "--pace", "0", "--out", (folder / "demo").string()});
   EXPECT_EQ(demo.status, 0) << demo.err;
-  EXPECT_THAT(demo.out, HasSubstr("Goal reached in 20.7 s"));  // hallway, seed 7
+  EXPECT_THAT(demo.out, HasSubstr("Goal reached in 22.7 s"));  // hallway, seed 7
   for (const char* name : {"score_card.json", "drive.svg", "drive.mcap"})
     EXPECT_TRUE(std::filesystem::exists(folder / "demo" / name)) << name;
   EXPECT_THAT(bandwagon({"graphs"}).out, ContainsRegex("hallway +A robot crosses a hallway"));
