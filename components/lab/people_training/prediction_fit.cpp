@@ -19,14 +19,9 @@ constexpr double kDecay = 1e-3;    // of weights
 constexpr double kSteepest = 5.0;  // of one output of one sample: beyond it the gradient is cut
 constexpr double kFirst = 0.9;     // memory of Adam's mean and square
 constexpr double kSecond = 0.999;
-constexpr double kLargestCorrelation = 0.95;
 
 const int kPastRows = static_cast<int>(std::lround(kPastStep / kCrowdStep));
 const int kAheadRows = static_cast<int>(std::lround(kAheadStep / kCrowdStep));
-
-Vector2 to_walk(const WalkFrame& frame, const Vector2& v) {
-  return {frame.along.dot(v), frame.along.x() * v.y() - frame.along.y() * v.x()};
-}
 
 void add_samples(std::uint64_t seed, std::vector<WalkSample>& samples) {
   const std::vector<std::vector<Vector2>> crowd = draw_crowd(seed, kSeconds);
@@ -57,7 +52,7 @@ void add_samples(std::uint64_t seed, std::vector<WalkSample>& samples) {
         const Vector2& truth = crowd[static_cast<std::size_t>(k + (n + 1) * kAheadRows)][i];
         const double t = (n + 1) * kAheadStep;
         sample.errors[static_cast<std::size_t>(n)] =
-            to_walk(frame, truth - frame.position - t * frame.velocity);
+            frame.to_walk(truth - frame.position - t * frame.velocity);
       }
     }
   }
@@ -136,7 +131,7 @@ double step_loss(const double* outputs, const Vector2& error, double t, double* 
 std::array<double, kAhead> losses(const HeadWeights& weights, const std::vector<WalkSample>& samples) {
   std::array<double, kAhead> sums{};
   for (const WalkSample& sample : samples) {
-    const Eigen::MatrixXd outputs = head_outputs(weights, sample.inputs);
+    const Eigen::MatrixXd outputs = layer_values(weights, sample.inputs).back();
     for (std::size_t k = 0; k < kAhead; ++k)
       sums[k] += step_loss(outputs.data() + k * kPerStep, sample.errors[k],
                            (static_cast<double>(k) + 1.0) * kAheadStep, nullptr);
@@ -147,15 +142,7 @@ std::array<double, kAhead> losses(const HeadWeights& weights, const std::vector<
 
 double batch_loss(const HeadWeights& weights, const std::vector<const WalkSample*>& samples,
                   std::vector<HeadLayer>* gradient) {
-  const std::size_t last = weights.layers.size() - 1;
-  std::vector<Eigen::MatrixXd> values{
-      ((inputs_of(samples).colwise() - weights.mean).array().colwise() / weights.deviation.array()).matrix()};
-  for (std::size_t l = 0; l <= last; ++l) {
-    const HeadLayer& layer = weights.layers[l];
-    Eigen::MatrixXd next = (layer.W * values.back()).colwise() + layer.b;
-    if (l < last) next = next.array().tanh().matrix();
-    values.push_back(std::move(next));
-  }
+  const std::vector<Eigen::MatrixXd> values = layer_values(weights, inputs_of(samples));
   Eigen::MatrixXd slope(kHeadOutputs, values.back().cols());
   double sum = 0.0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -168,8 +155,8 @@ double batch_loss(const HeadWeights& weights, const std::vector<const WalkSample
   const double count = static_cast<double>(samples.size()) * kAhead;
   if (gradient != nullptr) {
     slope = slope.cwiseMax(-kSteepest).cwiseMin(kSteepest) / count;
-    gradient->resize(last + 1);
-    for (std::size_t l = last + 1; l-- > 0;) {
+    gradient->resize(weights.layers.size());
+    for (std::size_t l = weights.layers.size(); l-- > 0;) {
       (*gradient)[l] = {slope * values[l].transpose(), slope.rowwise().sum()};
       if (l > 0)
         slope =

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <ostream>
 #include <vector>
 
 #include "components/people/prediction/learned_head.hpp"
@@ -28,7 +27,7 @@ double step_loss(const double* outputs, const Vector2& error, double t, double* 
 /// Mean over `samples`, of each step.
 std::array<double, kAhead> losses(const HeadWeights& weights, const std::vector<WalkSample>& samples);
 
-/// Mean loss of `samples` (columns of `inputs`), and its gradient by all weights of `layers`, unless null.
+/// Mean loss of `samples`, and its gradient by the weights of all layers, unless null.
 double batch_loss(const HeadWeights& weights, const std::vector<const WalkSample*>& samples,
                   std::vector<HeadLayer>* gradient);
 

@@ -3,14 +3,15 @@
 // or judges weights that are there: --judge FILE eth.csv ...
 // The same program gives the same bytes.
 #include <cstdio>
-#include <fstream>
 #include <iostream>
+#include <sstream>
 #include <string>
 
 #include "components/lab/people_training/prediction_fit.hpp"
 #include "components/lab/people_training/prediction_judge.hpp"
 #include "components/people/files/head_file.hpp"
 #include "components/world/files/track_file.hpp"
+#include "runtime/atomic_file.hpp"
 
 namespace bw::people {
 namespace {
@@ -19,34 +20,33 @@ constexpr int kCrowds = 300;
 constexpr std::uint64_t kTraining = 100'000;
 constexpr std::uint64_t kJudging = 200'000;
 
-void print(const std::string& name, double noise, const char* model, const PredictionVerdict& v) {
+void print(const std::string& name, double noise, const char* model,
+           const std::vector<PredictionVerdict>& verdicts) {
   std::printf("%-18s %4.2f %-18s", name.c_str(), noise, model);
-  for (const double loss : v.loss) std::printf(" %6.3f", loss);
+  for (const PredictionVerdict& v : verdicts) std::printf(" %6.3f", v.loss);
   std::printf(" |");
-  for (const double error : v.error) std::printf(" %.3f", error);
+  for (const PredictionVerdict& v : verdicts) std::printf(" %.3f", v.error);
   std::printf(" |");
-  for (const double inside : v.inside) std::printf(" %.3f", inside);
-  std::printf(" | %d %d\n", v.count[0], v.count[3]);
+  for (const PredictionVerdict& v : verdicts) std::printf(" %.3f", v.inside);
+  std::printf(" | %d %d\n", verdicts.front().count, verdicts.back().count);
 }
 
 void judge(const HeadWeights& head, const std::string& file) {
   const std::vector<Track> tracks = read_tracks(file);
   const std::string name = file.substr(file.find_last_of('/') + 1);
   for (const double noise : {0.0, 0.03}) {
-    print(name, noise, "constant_velocity", judge_prediction(tracks, noise, {}, std::nullopt));
-    PredictionOptions learned;
-    learned.model = PredictionModel::learned;
-    print(name, noise, "learned", judge_prediction(tracks, noise, learned, head));
+    const Judging how{.noise = noise};
+    print(name, noise, "constant_velocity", judge_prediction(tracks, Predictor({}), how));
+    print(name, noise, "learned", judge_prediction(tracks, Predictor({}, head), how));
   }
 }
 
 HeadWeights train(const std::string& file) {
   const std::vector<WalkSample> samples = walk_samples(kTraining, kCrowds);
   std::printf("%zu samples of %d crowds\n", samples.size(), kCrowds);
-  std::ofstream out(file);
-  write_head(out, fit_head(samples, {}));
-  out.close();
-  if (!out.good()) throw std::runtime_error(file + " cannot be written");
+  std::ostringstream text;
+  write_head(text, fit_head(samples, {}));
+  write_file_atomically(file, text.str());
   HeadWeights head = read_head(file);  // what is used later: five digits
   std::printf("drawn crowds, 0.5 to 4 s:");
   for (const double loss : losses(head, walk_samples(kJudging, kCrowds / 8))) std::printf(" %.3f", loss);

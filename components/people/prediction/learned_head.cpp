@@ -6,15 +6,11 @@
 namespace bw::people {
 namespace {
 
-constexpr double kLargestCorrelation = 0.95;
 constexpr double kStanding = 0.2;  // [m/s]
 
-/// `v` seen by who looks along `along`.
-Vector2 to_walk(const Vector2& along, const Vector2& v) {
-  return {along.dot(v), along.x() * v.y() - along.y() * v.x()};
-}
-
 }  // namespace
+
+Vector2 WalkFrame::to_walk(const Vector2& v) const { return {along.dot(v), cross(along, v)}; }
 
 WalkFrame walk_frame(std::span<const Vector2> past) {
   WalkFrame frame{.position = past[0], .velocity = (past[0] - past[2]) / (2.0 * kPastStep)};
@@ -27,7 +23,7 @@ Eigen::VectorXd head_inputs(std::span<const Vector2> past, const WalkFrame& fram
   const double speed = frame.velocity.norm();
   const auto steps = std::min<std::size_t>(past.size(), kMostPast) - 1;
   for (std::size_t k = 0; k < steps; ++k) {
-    const Vector2 velocity = to_walk(frame.along, (past[k] - past[k + 1]) / kPastStep);
+    const Vector2 velocity = frame.to_walk((past[k] - past[k + 1]) / kPastStep);
     inputs.segment<3>(static_cast<Eigen::Index>(3 * k)) << velocity.x() - speed, velocity.y(), 1.0;
   }
   inputs.tail<2>() << speed, std::exp(-speed / kStanding);
@@ -43,14 +39,14 @@ StepNormal step_normal(const double* outputs, double t) {
           .correlation = kLargestCorrelation * std::tanh(outputs[4])};
 }
 
-Eigen::MatrixXd head_outputs(const HeadWeights& weights, const Eigen::MatrixXd& inputs) {
-  Eigen::MatrixXd values =
-      ((inputs.colwise() - weights.mean).array().colwise() / weights.deviation.array()).matrix();
+std::vector<Eigen::MatrixXd> layer_values(const HeadWeights& weights, const Eigen::MatrixXd& inputs) {
+  std::vector<Eigen::MatrixXd> values{
+      ((inputs.colwise() - weights.mean).array().colwise() / weights.deviation.array()).matrix()};
   for (std::size_t l = 0; l < weights.layers.size(); ++l) {
     const HeadLayer& layer = weights.layers[l];
-    Eigen::MatrixXd next = (layer.W * values).colwise() + layer.b;
+    Eigen::MatrixXd next = (layer.W * values.back()).colwise() + layer.b;
     if (l + 1 < weights.layers.size()) next = next.array().tanh().matrix();
-    values = std::move(next);
+    values.push_back(std::move(next));
   }
   return values;
 }
@@ -59,7 +55,7 @@ std::optional<std::vector<PredictedPosition>> predict_by_head(const HeadWeights&
                                                               std::span<const Vector2> past) {
   if (past.size() < kLeastPast) return std::nullopt;
   const WalkFrame frame = walk_frame(past);
-  const Eigen::MatrixXd outputs = head_outputs(weights, head_inputs(past, frame));
+  const Eigen::MatrixXd outputs = layer_values(weights, head_inputs(past, frame)).back();
   if (!outputs.allFinite()) return std::nullopt;
   Eigen::Matrix2d R;
   R << frame.along.x(), -frame.along.y(), frame.along.y(), frame.along.x();

@@ -4,7 +4,6 @@
 // is turned and moved is predicted the same, turned and moved (README.md 7.8).
 #pragma once
 
-#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -41,6 +40,9 @@ struct WalkFrame {
   Vector2 position{0.0, 0.0};
   Vector2 velocity{0.0, 0.0};
   Vector2 along{1.0, 0.0};
+
+  /// `v` of the world as (along, across).
+  Vector2 to_walk(const Vector2& v) const;
 };
 
 /// `past`: positions [m], the last one first, kPastStep apart; at least kLeastPast, and no more than kMostPast are used.
@@ -56,8 +58,9 @@ double error_unit(double t);
 struct StepNormal {
   Vector2 mean{0.0, 0.0};       ///< [m]
   Vector2 deviation{1.0, 1.0};  ///< [m]
-  double correlation = 0.0;     ///< within 0.95
+  double correlation = 0.0;     ///< within kLargestCorrelation
 };
+inline constexpr double kLargestCorrelation = 0.95;
 StepNormal step_normal(const double* outputs, double t);
 
 /// kAhead positions, kAheadStep apart; nothing of a past that is too short or not finite, or if the net gives what is not
@@ -65,7 +68,7 @@ StepNormal step_normal(const double* outputs, double t);
 std::optional<std::vector<PredictedPosition>> predict_by_head(const HeadWeights& weights,
                                                               std::span<const Vector2> past);
 
-/// One column for each of `inputs`.
-Eigen::MatrixXd head_outputs(const HeadWeights& weights, const Eigen::MatrixXd& inputs);
+/// A column for each of `inputs`: the inputs as they are used, then what each layer gives; the outputs are the last.
+std::vector<Eigen::MatrixXd> layer_values(const HeadWeights& weights, const Eigen::MatrixXd& inputs);
 
 }  // namespace bw::people

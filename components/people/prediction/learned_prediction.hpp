@@ -1,8 +1,7 @@
 // Predictions by the learned head while they prove right. Each person's are held against what the person did; who does
-// otherwise is left to today's predictor until the head is right again.
+// otherwise is left to constant velocity until the head is right again.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <deque>
 #include <map>

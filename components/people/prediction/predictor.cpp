@@ -94,7 +94,7 @@ void Predictor::predict(std::vector<TrackedPerson>& people, const StaticObstacle
       if (omega != 0.0) position = person.position + arc(person.velocity, omega, options_.kTurnRateMemory, t);
       predictions.push_back({t, position, predicted_covariance(person, t, options_)});
     }
-    if (learned_ && options_.model == PredictionModel::learned && options_.step == kAheadStep) {
+    if (learned_) {
       const auto by_head = learned_->predict(person, now);
       for (std::size_t k = 0; by_head && k < std::min(predictions.size(), by_head->size()); ++k)
         predictions[k] = (*by_head)[k];

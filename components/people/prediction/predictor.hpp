@@ -13,7 +13,6 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "components/model/tracked_person.hpp"
@@ -27,7 +26,7 @@ namespace bw::people {
 /// Remembers headings, for turn rates, and how good its predictions were, for the size of their ellipses.
 class Predictor {
  public:
-  /// `head`: of the learned model; without it that model is constant_velocity.
+  /// `head`: of the learned model, for steps of kAheadStep; without it that model is constant_velocity.
   explicit Predictor(const PredictionOptions& options, const std::optional<HeadWeights>& head = std::nullopt)
       : options_(options), calibration_(options.calibration_rate) {
     if (head) learned_.emplace(*head);

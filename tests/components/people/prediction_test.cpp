@@ -7,10 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "components/files/shape_file.hpp"
+#include "components/lab/people_training/prediction_judge.hpp"
 #include "components/model/random.hpp"
 #include "components/people/prediction/predictor.hpp"
 #include "components/world/files/track_file.hpp"
-#include "tests/components/people/prediction_score.hpp"
 
 namespace bw::people {
 namespace {
@@ -165,16 +165,19 @@ TEST(Prediction, IsAsGoodAsTheReferenceOnRecordedPeopleAndCalibrated) {
   const std::string folder = std::string(shared) + "/data/eth_ucy_pedestrians/";
   const std::map<std::string, std::array<double, 3>> reference{
       {"eth", {0.19, 0.37, 1.28}}, {"hotel", {0.13, 0.24, 0.62}}, {"zara01", {0.08, 0.22, 1.01}}};
+  PredictionOptions options;
+  options.horizon = 4.8;
+  options.step = 0.8;
   for (const auto& [name, errors] : reference) {
-    StaticObstacles walls;
-    if (name != "eth") walls.segments = read_walls(folder + name + "_walls.csv");
-    if (name == "hotel") walls.discs = read_circles(folder + name + "_circles.csv");
-    const PredictionScore score = score_prediction(read_tracks(folder + name + ".csv"), walls, {});
-    for (std::size_t h = 0; h < kScoredHorizons.size(); ++h) {
-      EXPECT_LE(score.mean_error[h], errors[h] + 0.005) << name << " at " << kScoredHorizons[h];
-      EXPECT_GE(score.inside_95[h], 0.90) << name << " at " << kScoredHorizons[h];
-      EXPECT_LE(score.inside_95[h], 0.98) << name << " at " << kScoredHorizons[h];
-      EXPECT_GT(score.count[h], 1000) << name;
+    Judging how{.times = {0.8, 1.6, 4.8}};
+    if (name != "eth") how.walls.segments = read_walls(folder + name + "_walls.csv");
+    if (name == "hotel") how.walls.discs = read_circles(folder + name + "_circles.csv");
+    const auto verdicts = judge_prediction(read_tracks(folder + name + ".csv"), Predictor(options), how);
+    for (std::size_t h = 0; h < how.times.size(); ++h) {
+      EXPECT_LE(verdicts[h].error, errors[h] + 0.005) << name << " at " << how.times[h];
+      EXPECT_GE(verdicts[h].inside, 0.90) << name << " at " << how.times[h];
+      EXPECT_LE(verdicts[h].inside, 0.98) << name << " at " << how.times[h];
+      EXPECT_GT(verdicts[h].count, 1000) << name;
     }
   }
 }
