@@ -2,11 +2,14 @@
 // among thin poles, 200 clusters. Asked: 5 ms in the worst sweep.
 #include <algorithm>
 #include <ctime>
+#include <optional>
 #include <vector>
 
 #include <benchmark/benchmark.h>
 
 #include "components/people/detector/detector.hpp"
+#include "components/people/files/head_file.hpp"
+#include "components/people/prediction/predictor.hpp"
 #include "components/people/tracker/assignment.hpp"
 #include "components/people/tracker/tracker.hpp"
 #include "components/world/laser_scanner.hpp"
@@ -110,6 +113,29 @@ void AssignmentAllAgainstAll(benchmark::State& state) {
   }
 }
 BENCHMARK(AssignmentAllAgainstAll)->Arg(20)->Arg(200)->Unit(benchmark::kMicrosecond);
+
+/// Twenty who walk, 10 times a second: constant velocity (0) and the learned head (1).
+void Predict20People(benchmark::State& state) {
+  std::optional<HeadWeights> head;
+  if (state.range(0) == 1) head = read_head(BANDWAGON_SOURCE_DIR "/config/people/learned_head.txt");
+  Predictor predictor({}, head);
+  std::vector<TrackedPerson> people(20);
+  double t = 10.0;
+  for ([[maybe_unused]] auto _ : state) {
+    t += 0.1;
+    const Time now = Time::seconds(t);
+    for (std::size_t i = 0; i < people.size(); ++i) {
+      people[i].id = static_cast<std::uint32_t>(i + 1);
+      people[i].velocity = direction(0.314 * static_cast<double>(i));
+      people[i].position = t * people[i].velocity;
+      people[i].covariance.diagonal() << 1e-4, 1e-4, 0.01, 0.01;
+      people[i].last_seen = now;
+    }
+    predictor.predict(people, {}, now);
+    benchmark::DoNotOptimize(people.back().predictions.data());
+  }
+}
+BENCHMARK(Predict20People)->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace bw::people
