@@ -1,5 +1,7 @@
 #include "components/people/adaptor/people_component.hpp"
 
+#include <utility>
+
 #include "components/messages/geometry.hpp"
 #include "components/messages/laser.hpp"
 #include "components/messages/obstacles.hpp"
@@ -133,7 +135,7 @@ void PeopleComponent::report_health(const Tick& tick) {
   const std::string others = others_.complaint(tick.now);
   if (!lasers.empty()) return diagnostics_->report(Level::error, lasers);
   if (!others.empty()) return diagnostics_->report(Level::warn, others);
-  if (predictor_->refused() > 0)
+  if (std::exchange(refused_, predictor_->refused()) < predictor_->refused())
     return diagnostics_->report(Level::warn,
                                 "learned predictions are not finite: straight on in their place");
   diagnostics_->report(Level::ok, "looking");

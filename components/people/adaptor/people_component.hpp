@@ -45,6 +45,7 @@ class PeopleComponent final : public Component {
   OtherDetectors others_;
   std::unique_ptr<Tracker> tracker_;
   std::unique_ptr<Predictor> predictor_;
+  std::int64_t refused_ = 0;                          ///< predictions not finite, when health was told last
   TransformTree odometry_;                            ///< of the last seconds
   Latest<bandwagon_msgs::msg::Obstacles> obstacles_;  ///< only for social_force
   double obstacles_timeout_ = 0.0;                    ///< [s]
