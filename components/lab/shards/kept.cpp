@@ -1,22 +1,18 @@
 #include "components/lab/shards/kept.hpp"
 
 #include <cctype>
-#include <cstdint>
 #include <fstream>
 
 #include <fmt/format.h>
 
 #include "runtime/atomic_file.hpp"
+#include "runtime/base/named_seed.hpp"
 
 namespace bw {
 namespace {
 
 /// FNV-1a, 64 bits: told apart are versions of one piece, a handful.
-std::string digest(const std::string& text) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  return fmt::format("{:016x}", hash);
-}
+std::string digest(const std::string& text) { return fmt::format("{:016x}", named_seed(text, 0)); }
 
 }  // namespace
 
