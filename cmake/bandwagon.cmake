@@ -20,7 +20,8 @@ if(BANDWAGON_SANITIZE)
   add_link_options(-fsanitize=${BANDWAGON_SANITIZE})
 endif()
 
-# A test's own code is compiled in two thirds of the time so; what it tests is in libraries, which are as they are released.
+# A test's own code is compiled in two thirds of the time so. What it tests is in libraries, which are as they are released; of inline functions
+# that both hold, the linker takes either.
 add_library(bw_test_options INTERFACE)
 target_compile_options(bw_test_options INTERFACE $<$<CONFIG:Release>:-Og>)
 
